@@ -1,0 +1,43 @@
+#!/usr/bin/env bash
+# Run all tests: install what they need, build everything that is built (the plugin for each host, the tests with asserts kept,
+# the unit tests again under AddressSanitizer and UndefinedBehaviorSanitizer), and hand it to ctest. Exit 0 when all passed.
+#
+# usage: tests/run.sh [ARGUMENTS OF CTEST]     for example: tests/run.sh -R walk
+
+set -euo pipefail
+top=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+setup=$top/filter_textlabel/setup.sh
+trees=$top/build/tests
+jobs=$(nproc)
+
+"$setup" build run tests meshlab-2020 meshlab-2022 meshlab-2025 python
+
+# Every generation of MeshLab compiles, warnings being errors; PyMeshLab's plugin is used by the tests.
+pymeshlab_plugin=
+for host in meshlab-2022 meshlab-2025 pymeshlab; do
+	echo "== plugin for $host"
+	pymeshlab_plugin=$(env -u TEXTLABEL_PLUGIN TEXTLABEL_CMAKE_ARGS=-DTEXTLABEL_WERROR=ON \
+		"$top/filter_textlabel/build.sh" "$host")
+done
+
+build_tree() { # name, CMake's arguments
+	local tree=$trees/$1
+	shift
+	echo "== tests in build/tests/$(basename "$tree")"
+	mkdir -p "$tree"
+	cmake -S "$top" -B "$tree" -G Ninja -DTEXTLABEL_WERROR=ON -DTEXTLABEL_ASSERTS=ON \
+		-DMESHLAB_SOURCE="$("$setup" --where meshlab-2020)" "$@" >"$tree/configure.log" 2>&1 || {
+		cat "$tree/configure.log" >&2
+		return 1
+	}
+	cmake --build "$tree" -j "$jobs"
+}
+build_tree release -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS_RELEASE=-O2 \
+	-DTEXTLABEL_PYTHON="$("$setup" --where python)/bin/python" -DTEXTLABEL_PYMESHLAB_PLUGIN="$pymeshlab_plugin"
+build_tree sanitize -DCMAKE_BUILD_TYPE=Debug "-DCMAKE_CXX_FLAGS_DEBUG=-O1 -g1" -DTEXTLABEL_SANITIZE=ON \
+	-DTEXTLABEL_PLUGIN=OFF -DTEXTLABEL_TEST_PREFIX=sanitize.
+
+# Both trees in one run, so that there is one count.
+echo 'subdirs(release sanitize)' >"$trees/CTestTestfile.cmake"
+cd "$trees"
+exec ctest --output-on-failure --no-tests=error -j "$jobs" "$@"
