@@ -1,35 +1,42 @@
 #!/usr/bin/env bash
 # Build the plugin for a MeshLab, with all it needs (setup.sh), and print the plugin's path. Quick when it is up to date.
 #
-# usage: build.sh [meshlab-2020 | meshlab-2022 | meshlab-2025 | pymeshlab]
+# usage: build.sh [meshlab-2020 | meshlab-2022 | meshlab-2025 | pymeshlab] [ARGUMENT OF CMAKE...]
 #
 #   meshlab-2020   Debian 12's MeshLab and meshlabserver (the default)
 #   meshlab-2022   MeshLab 2022.02
 #   meshlab-2025   MeshLab 2025.07, single precision (the usual download)
 #   pymeshlab      PyMeshLab 2025.7 from PyPI (double precision)
 #
-# With TEXTLABEL_PLUGIN set, that plugin is taken as it is. With TEXTLABEL_CMAKE_ARGS, CMake gets them too.
+# With TEXTLABEL_PLUGIN set, that plugin is taken as it is and nothing is built.
 
 set -euo pipefail
 top=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
-host=${1:-meshlab-2020}
+setup=$top/filter_textlabel/setup.sh
+. "$top/filter_textlabel/cmake/configure_tree.sh"
 
 if [ -n "${TEXTLABEL_PLUGIN:-}" ]; then
 	echo "$TEXTLABEL_PLUGIN"
 	exit
 fi
 
-sdk=$host
-scalar=float
+host=${1:-meshlab-2020}
+shift || true
+build=$top/build/$host
+arguments=(-DCMAKE_BUILD_TYPE=Release -DTEXTLABEL_TESTS=OFF "$@")
 case $host in
-meshlab-2020) "$top/filter_textlabel/setup.sh" build run "$sdk" ;;
-meshlab-2022 | meshlab-2025) "$top/filter_textlabel/setup.sh" build "$sdk" ;;
+meshlab-2020)
+	"$setup" build run meshlab-2020
+	arguments+=(-DMESHLAB_SOURCE="$("$setup" --where meshlab-2020)")
+	;;
+meshlab-2022 | meshlab-2025)
+	"$setup" build "$host"
+	arguments+=(-DMESHLAB_SOURCE="$("$setup" --where "$host")")
+	;;
 pymeshlab)
-	sdk=meshlab-2025
-	scalar=double
-	"$top/filter_textlabel/setup.sh" build "$sdk" python
-	python=$("$top/filter_textlabel/setup.sh" --where python)
-	library=$(echo "$python"/lib/python3*/site-packages/pymeshlab/lib/libmeshlab-common.so)
+	"$setup" build meshlab-2025 python
+	arguments+=(-DMESHLAB_SOURCE="$("$setup" --where meshlab-2025)" -DMESHLAB_SCALAR=double
+		-DMESHLAB_LIBRARY="$(echo "$("$setup" --where python)"/lib/python3*/site-packages/pymeshlab/lib/libmeshlab-common.so)")
 	;;
 *)
 	echo "textlabel: build.sh knows meshlab-2020, meshlab-2022, meshlab-2025 and pymeshlab, not '$host'" >&2
@@ -37,25 +44,13 @@ pymeshlab)
 	;;
 esac
 
-build=$top/build/$host
 mkdir -p "$build"
-exec 9>"$build/.lock"  # one at a time in this build tree
+exec 9>"$build/.lock"  # one at a time in this tree
 flock 9
-log=$build/build.log
-# shellcheck disable=SC2086  # TEXTLABEL_CMAKE_ARGS is a list of words
-configure() {
-	cmake -S "$top" -B "$build" -G Ninja -DTEXTLABEL_TESTS=OFF -DMESHLAB_SCALAR=$scalar \
-		-DMESHLAB_SOURCE="$("$top/filter_textlabel/setup.sh" --where "$sdk")" \
-		${library:+-DMESHLAB_LIBRARY="$library"} ${TEXTLABEL_CMAKE_ARGS:-}
-}
-{
-	if [ ! -f "$build/build.ninja" ] || [ -n "${TEXTLABEL_CMAKE_ARGS:-}" ]; then
-		[ -f "$build/build.ninja" ] || echo "textlabel: building the plugin for $host in build/$host" >&2
-		configure
-	fi && cmake --build "$build" --target filter_textlabel
-} >"$log" 2>&1 9>&- || {
-	cat "$log" >&2
-	echo "textlabel: the plugin for $host could not be built (see above, or $log)" >&2
+[ -f "$build/.arguments" ] || echo "textlabel: building the plugin for $host" >&2
+{ configure_tree "$build" "${arguments[@]}" && cmake --build "$build" --target filter_textlabel; } >"$build/log" 2>&1 9>&- || {
+	cat "$build/log" >&2
+	echo "textlabel: the plugin for $host could not be built: the reason stands above, and in build/$host/log" >&2
 	exit 1
 }
 echo "$build/filter_textlabel/libfilter_textlabel.so"

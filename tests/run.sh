@@ -9,23 +9,30 @@ top=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 setup=$top/filter_textlabel/setup.sh
 trees=$top/build/tests
 jobs=$(nproc)
+. "$top/filter_textlabel/cmake/configure_tree.sh"
+unset TEXTLABEL_PLUGIN  # the tests are about the plugin of this tree
 
 "$setup" build run tests meshlab-2020 meshlab-2022 meshlab-2025 python
 
-# Every generation of MeshLab compiles, warnings being errors; PyMeshLab's plugin is used by the tests.
-pymeshlab_plugin=
+mkdir -p "$trees"
+exec 9>"$trees/.lock"  # one at a time in these trees
+flock 9
+
+# Every generation of MeshLab compiles, warnings being errors; the tests use PyMeshLab's and, as README says it, Debian's.
 for host in meshlab-2022 meshlab-2025 pymeshlab; do
 	echo "== plugin for $host"
-	pymeshlab_plugin=$(env -u TEXTLABEL_PLUGIN TEXTLABEL_CMAKE_ARGS=-DTEXTLABEL_WERROR=ON \
-		"$top/filter_textlabel/build.sh" "$host")
+	plugin=$("$top/filter_textlabel/build.sh" "$host" -DTEXTLABEL_WERROR=ON)
 done
+pymeshlab_plugin=$plugin
+echo "== plugin for meshlab-2020"
+"$top/filter_textlabel/build.sh" >/dev/null
 
 build_tree() { # name, CMake's arguments
 	local tree=$trees/$1
+	echo "== tests, $1"
 	shift
-	echo "== tests in build/tests/$(basename "$tree")"
 	mkdir -p "$tree"
-	cmake -S "$top" -B "$tree" -G Ninja -DTEXTLABEL_WERROR=ON -DTEXTLABEL_ASSERTS=ON \
+	configure_tree "$tree" -DTEXTLABEL_WERROR=ON -DTEXTLABEL_ASSERTS=ON \
 		-DMESHLAB_SOURCE="$("$setup" --where meshlab-2020)" "$@" >"$tree/configure.log" 2>&1 || {
 		cat "$tree/configure.log" >&2
 		return 1
@@ -39,5 +46,6 @@ build_tree sanitize -DCMAKE_BUILD_TYPE=Debug "-DCMAKE_CXX_FLAGS_DEBUG=-O1 -g1" -
 
 # Both trees in one run, so that there is one count.
 echo 'subdirs(release sanitize)' >"$trees/CTestTestfile.cmake"
+exec 9>&-
 cd "$trees"
 exec ctest --output-on-failure --no-tests=error -j "$jobs" "$@"
