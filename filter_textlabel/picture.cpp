@@ -1,0 +1,182 @@
+// Layout of the pictures; the geometry is in picture_surface.h and picture_raster.h, the light in picture_painter.h.
+
+#include "picture.h"
+#include "picture_painter.h"
+
+#include <QImage>
+#include <QString>
+
+#include <stdexcept>
+
+namespace textlabel {
+namespace {
+
+using detail::Camera;
+using detail::DepthBuffer;
+using detail::PanelPainter;
+using detail::PictureSurface;
+using vcg::Point3d;
+
+constexpr double pi = 3.14159265358979323846;
+
+void Require(bool condition, const char* what)
+{
+	if (!condition) throw std::invalid_argument(what);
+}
+
+void CheckInput(const PictureMesh& mesh, const PictureOptions& options)
+{
+	Require(options.width > 0 && options.height > 0 && options.samples > 0, "picture size");
+	Require(mesh.colors.empty() || mesh.colors.size() == mesh.triangles.size(), "one colour for each face");
+	Require(mesh.isLabel.empty() || mesh.isLabel.size() == mesh.triangles.size(), "one label flag for each face");
+	for (const auto& t : mesh.triangles)
+		for (int i : t) Require(i >= 0 && size_t(i) < mesh.positions.size(), "index of a corner");
+}
+
+void CheckView(const PictureView& view)
+{
+	const double area = (view.direction ^ view.up).Norm();
+	Require(std::isfinite(area) && area > 0, "direction and up of the view");
+	Require(std::isfinite(view.extent) && view.extent > 0, "extent of the view");
+}
+
+Picture EmptyPicture(const PictureOptions& options)
+{
+	const size_t pixels = size_t(options.width) * size_t(options.height);
+	return {options.width, options.height, std::vector<std::uint8_t>(3 * pixels, 255)};
+}
+
+Point3d TurnAround(const Point3d& v, const Point3d& axis, double degrees)
+{
+	const Point3d a = Point3d(axis).Normalize();
+	const double c = std::cos(degrees * pi / 180), s = std::sin(degrees * pi / 180);
+	return v * c + (a ^ v) * s + a * ((a * v) * (1 - c));
+}
+
+/// The finite corners of the label's faces, or of all when none is a label face or all are asked for.
+std::vector<Point3d> PointsToFit(const PictureMesh& mesh, bool onlyLabel)
+{
+	const bool some = onlyLabel && std::count(mesh.isLabel.begin(), mesh.isLabel.end(), 1) > 0;
+	std::vector<char> used(mesh.positions.size(), 0);
+	for (size_t f = 0; f < mesh.triangles.size(); f++)
+		if (!some || mesh.isLabel[f])
+			for (int i : mesh.triangles[f]) used[size_t(i)] = 1;
+	std::vector<Point3d> points;
+	for (size_t i = 0; i < used.size(); i++)
+		if (used[i] && std::isfinite(mesh.positions[i].SquaredNorm())) points.push_back(mesh.positions[i]);
+	return points;
+}
+
+/// Number of pixels of a thumbnail in which the label is seen.
+int VisibleLabel(const PictureMesh& mesh, const PictureView& view)
+{
+	constexpr int side = 240;
+	const DepthBuffer seen = detail::ScanMesh(mesh, detail::ProjectAll(mesh, detail::MakeCamera(view, side, side)), side, side);
+	return int(std::count_if(seen.face.begin(), seen.face.end(), [&](int f) { return f >= 0 && mesh.isLabel[size_t(f)]; }));
+}
+
+/// People look down at things: a label on top is read from its lower side, one on a wall from somewhat above.
+Point3d TiltDirection(const Point3d& direction, const Point3d& up, double degrees)
+{
+	const Point3d d = Point3d(direction).Normalize(), right = (up ^ d).Normalize();
+	const bool onTop = std::abs(d[2]) > 0.7;
+	const Point3d above = TurnAround(d, right, -degrees), below = TurnAround(d, right, degrees);
+	return onTop || below[2] > above[2] ? below : above;
+}
+
+/// The three-quarter view, from the left or the right, that shows more of the label.
+PictureView ThreeQuarterView(const PictureMesh& mesh, const Point3d& direction, const Point3d& up, const PictureOptions& options)
+{
+	const Point3d tilted = TiltDirection(direction, up, 28);
+	PictureView best;
+	int most = -1;
+	for (const double turn : {28.0, -28.0, 0.0}) {
+		const PictureView view = FitView(mesh, TurnAround(tilted, up, turn), up, options);
+		const int visible = mesh.isLabel.empty() ? 0 : VisibleLabel(mesh, view);
+		if (visible <= most) continue;
+		most = visible;
+		best = view;
+	}
+	return best;
+}
+
+}  // namespace
+
+PictureColor Picture::at(int x, int y) const
+{
+	const size_t i = 3 * (size_t(y) * size_t(width) + size_t(x));
+	return {rgb[i], rgb[i + 1], rgb[i + 2]};
+}
+
+Picture RenderPicture(const PictureMesh& mesh, const PictureView& view, const PictureOptions& options)
+{
+	CheckInput(mesh, options);
+	CheckView(view);
+	Picture picture = EmptyPicture(options);
+	const PictureSurface surface = detail::AnalyseSurface(mesh, options.creaseAngle);
+	PanelPainter(mesh, surface, view, options, {0, 0, options.width, options.height}).paint(picture);
+	return picture;
+}
+
+PictureView FitView(const PictureMesh& mesh, const Point3d& direction, const Point3d& up, const PictureOptions& options,
+                    bool onlyLabel)
+{
+	PictureView view;
+	view.direction = direction;
+	view.up = up;
+	CheckView(view);
+	const std::vector<Point3d> points = PointsToFit(mesh, onlyLabel);
+	if (points.empty()) return view;
+	const double aspect = double(options.width) / options.height, filled = 1 - 2 * options.margin;
+	const Camera camera = detail::MakeCamera(view, 1, 1);
+	vcg::Box3d box;
+	for (const Point3d& p : points) box.Add(camera.turn(p));
+	const Point3d c = box.Center();
+	view.focus = camera.right * c[0] + camera.up * c[1] + camera.direction * c[2];
+	const double height = std::max(box.DimY(), box.DimX() / aspect) / filled;
+	if (!(height > 0) || !std::isfinite(height)) return view;
+	view.extent = height;
+	view.distance = 4 * std::max(height, box.DimZ());
+	for (int round = 0; round < 3; round++) {  // near points are magnified: settles at once, the camera is far
+		const Camera closer = detail::MakeCamera(view, 1, 1);
+		vcg::Box3d seen;
+		for (const Point3d& p : points) seen.Add(closer.project(p));
+		view.focus += (camera.right * (seen.Center()[0] - 0.5) - camera.up * (seen.Center()[1] - 0.5)) * view.extent;
+		view.extent *= std::max(seen.DimY(), seen.DimX() / aspect) / filled;
+	}
+	return view;
+}
+
+Picture RenderLabelPicture(const PictureMesh& mesh, const Point3d& direction, const Point3d& up, const PictureOptions& options)
+{
+	CheckInput(mesh, options);
+	const bool hasLabel = std::count(mesh.isLabel.begin(), mesh.isLabel.end(), 1) > 0;
+	Picture picture = EmptyPicture(options);
+	const PictureSurface surface = detail::AnalyseSurface(mesh, options.creaseAngle);
+	PictureOptions whole = options;
+	if (hasLabel) whole.width = options.width * 5 / 8;
+	const PictureView partView = ThreeQuarterView(mesh, direction, up, whole);
+	PanelPainter(mesh, surface, partView, whole, {0, 0, whole.width, whole.height}).paint(picture);
+	if (!hasLabel) return picture;
+	const int gap = 4, left = whole.width + gap;
+	PictureOptions closeUp = options;
+	closeUp.width = options.width - left;
+	closeUp.height = (options.height - gap) / 2;
+	closeUp.margin = 0.14;
+	PictureView near = FitView(mesh, TurnAround(TiltDirection(direction, up, 22), up, -12), up, closeUp, true);
+	near.distance = partView.distance;
+	PanelPainter(mesh, surface, near, closeUp, {left, 0, closeUp.width, closeUp.height}).paint(picture);
+	closeUp.edges = PictureEdges::All;
+	const int lower = closeUp.height + gap;
+	closeUp.height = options.height - lower;
+	PanelPainter(mesh, surface, near, closeUp, {left, lower, closeUp.width, closeUp.height}).paint(picture);
+	return picture;
+}
+
+bool WritePicture(const Picture& picture, const std::string& path)
+{
+	const QImage image(picture.rgb.data(), picture.width, picture.height, 3 * picture.width, QImage::Format_RGB888);
+	return image.save(QString::fromStdString(path));
+}
+
+}  // namespace textlabel
