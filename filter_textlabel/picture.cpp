@@ -71,8 +71,10 @@ std::vector<Point3d> PointsToFit(const PictureMesh& mesh, bool onlyLabel)
 int VisibleLabel(const PictureMesh& mesh, const PictureView& view)
 {
 	constexpr int side = 240;
-	const DepthBuffer seen = detail::ScanMesh(mesh, detail::ProjectAll(mesh, detail::MakeCamera(view, side, side)), side, side);
-	return int(std::count_if(seen.face.begin(), seen.face.end(), [&](int f) { return f >= 0 && mesh.isLabel[size_t(f)]; }));
+	const DepthBuffer seen =
+		detail::ScanMesh(mesh, detail::ProjectAll(mesh, detail::MakeCamera(view, side, side)), side, side);
+	return int(
+		std::count_if(seen.face.begin(), seen.face.end(), [&](int f) { return f >= 0 && mesh.isLabel[size_t(f)]; }));
 }
 
 /// People look down at things: a label on top is read from its lower side, one on a wall from somewhat above.
@@ -85,7 +87,8 @@ Point3d TiltDirection(const Point3d& direction, const Point3d& up, double degree
 }
 
 /// The three-quarter view, from the left or the right, that shows more of the label.
-PictureView ThreeQuarterView(const PictureMesh& mesh, const Point3d& direction, const Point3d& up, const PictureOptions& options)
+PictureView ThreeQuarterView(const PictureMesh& mesh, const Point3d& direction, const Point3d& up,
+                             const PictureOptions& options)
 {
 	const Point3d tilted = TiltDirection(direction, up, 28);
 	PictureView best;
@@ -147,7 +150,8 @@ PictureView FitView(const PictureMesh& mesh, const Point3d& direction, const Poi
 	return view;
 }
 
-Picture RenderLabelPicture(const PictureMesh& mesh, const Point3d& direction, const Point3d& up, const PictureOptions& options)
+Picture RenderLabelPicture(const PictureMesh& mesh, const Point3d& direction, const Point3d& up,
+                           const PictureOptions& options)
 {
 	CheckInput(mesh, options);
 	const bool hasLabel = std::count(mesh.isLabel.begin(), mesh.isLabel.end(), 1) > 0;

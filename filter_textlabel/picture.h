@@ -37,14 +37,14 @@ struct PictureView {
 enum class PictureEdges { None, Creases, All };
 
 struct PictureOptions {
-	int width = 1600;                  ///< pixels
-	int height = 900;                  ///< pixels
-	int samples = 3;                   ///< supersampling: samples by samples points in each pixel
+	int width = 1600;  ///< pixels
+	int height = 900;  ///< pixels
+	int samples = 3;   ///< supersampling: samples by samples points in each pixel
 	PictureEdges edges = PictureEdges::Creases;
-	bool shaded = true;                ///< false: plain colours without light, for tests and masks
-	bool shadows = true;               ///< the key light casts shadows
-	double creaseAngle = 32;           ///< degrees; faces that meet at less are shaded as one smooth surface
-	double margin = 0.06;              ///< free border around what FitView fits, in picture heights
+	bool shaded = true;       ///< false: plain colours without light, for tests and masks
+	bool shadows = true;      ///< the key light casts shadows
+	double creaseAngle = 32;  ///< degrees; faces that meet at less are shaded as one smooth surface
+	double margin = 0.06;     ///< free border around what FitView fits, in picture heights
 	PictureColor part{176, 188, 200};
 	PictureColor label{240, 108, 32};
 	PictureColor backgroundTop{252, 252, 253};
@@ -55,7 +55,7 @@ struct PictureOptions {
 struct Picture {
 	int width = 0;
 	int height = 0;
-	std::vector<std::uint8_t> rgb;     ///< width * height * 3 bytes
+	std::vector<std::uint8_t> rgb;  ///< width * height * 3 bytes
 	PictureColor at(int x, int y) const;
 };
 

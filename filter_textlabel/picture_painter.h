@@ -42,7 +42,9 @@ inline void ForEachRow(int rows, const std::function<void(int)>& draw)
 	const int workers = std::max(1, std::min(8, int(std::thread::hardware_concurrency())));
 	std::vector<std::thread> threads;
 	for (int w = 0; w < workers; w++)
-		threads.emplace_back([&, w] { for (int row = w; row < rows; row += workers) draw(row); });
+		threads.emplace_back([&, w] {
+			for (int row = w; row < rows; row += workers) draw(row);
+		});
 	for (std::thread& t : threads) t.join();
 }
 
@@ -54,10 +56,13 @@ struct Panel {
 /// Draws one view. A light's buffer, filled as if the light were a viewer, tells what lies in the shadow.
 class PanelPainter {
 public:
-	PanelPainter(const PictureMesh& m, const PictureSurface& s, const PictureView& view, const PictureOptions& o, Panel p)
-		: mesh(m), surface(s), options(o), panel(p), camera(MakeCamera(view, p.width * o.samples, p.height * o.samples)),
-		  projected(ProjectAll(m, camera)), seen(ScanMesh(m, projected, p.width * o.samples, p.height * o.samples)),
-		  spread(SpreadDirections(std::max(probesPerPixel, 4 * o.samples * o.samples))), extent(view.extent), lightCamera(makeLightCamera(view)), lit(1, 1)
+	PanelPainter(const PictureMesh& m, const PictureSurface& s, const PictureView& view, const PictureOptions& o,
+	             Panel p)
+		: mesh(m), surface(s), options(o), panel(p),
+		  camera(MakeCamera(view, p.width * o.samples, p.height * o.samples)), projected(ProjectAll(m, camera)),
+		  seen(ScanMesh(m, projected, p.width * o.samples, p.height * o.samples)),
+		  spread(SpreadDirections(std::max(probesPerPixel, 4 * o.samples * o.samples))), extent(view.extent),
+		  lightCamera(makeLightCamera(view)), lit(1, 1)
 	{
 		const int side = lightMapSide;
 		if (options.shaded && options.shadows) lit = ScanMesh(m, ProjectAll(m, lightCamera), side, side);
@@ -70,7 +75,8 @@ public:
 				const Point3d linear = pixel(x, y);
 				const size_t at = 3 * (size_t(panel.y + y) * size_t(picture.width) + size_t(panel.x + x));
 				for (int c = 0; c < 3; c++)
-					picture.rgb[at + size_t(c)] = std::uint8_t(std::lround(255 * std::clamp(ToSrgb(linear[c]), 0.0, 1.0)));
+					picture.rgb[at + size_t(c)] =
+						std::uint8_t(std::lround(255 * std::clamp(ToSrgb(linear[c]), 0.0, 1.0)));
 			}
 		});
 	}
@@ -81,11 +87,11 @@ private:
 
 	struct Sample {
 		int face;
-		int x, y, number;                // grid point; number within its pixel, spreads the probes
+		int x, y, number;  // grid point; number within its pixel, spreads the probes
 		double depth, magnification;
-		Point3d weights;                 // barycentric, in the mesh
-		Point3d screenWeights;           // barycentric, on the grid
-		Point3d normal;                  // camera coordinates, towards the viewer
+		Point3d weights;        // barycentric, in the mesh
+		Point3d screenWeights;  // barycentric, on the grid
+		Point3d normal;         // camera coordinates, towards the viewer
 	};
 
 	Point3d pixel(int px, int py) const
@@ -94,7 +100,8 @@ private:
 		const double t = (py + 0.5) / panel.height;
 		const Point3d background = ToLinear(options.backgroundTop) * (1 - t) + ToLinear(options.backgroundBottom) * t;
 		for (int number = 0; number < options.samples * options.samples; number++) {
-			const int x = px * options.samples + number % options.samples, y = py * options.samples + number / options.samples;
+			const int x = px * options.samples + number % options.samples,
+					  y = py * options.samples + number / options.samples;
 			const int face = seen.face[seen.index(x, y)];
 			sum += face < 0 ? background : shade(sampleAt(face, x, y, number));
 		}
@@ -110,7 +117,8 @@ private:
 		const double wb = (gx - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (gy - a[1]);
 		const double wc = (b[0] - a[0]) * (gy - a[1]) - (gx - a[0]) * (b[1] - a[1]);
 		const double area = (b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1]);
-		const double u = area == 0 ? 0 : std::clamp(wb / area, 0.0, 1.0), v = area == 0 ? 0 : std::clamp(wc / area, 0.0, 1 - u);
+		const double u = area == 0 ? 0 : std::clamp(wb / area, 0.0, 1.0),
+					 v = area == 0 ? 0 : std::clamp(wc / area, 0.0, 1 - u);
 		s.screenWeights = {1 - u - v, u, v};
 		for (int k = 0; k < 3; k++)
 			s.weights[k] = s.screenWeights[k] * camera.magnification(projected[size_t(t[size_t(k)])][2]);
@@ -119,8 +127,7 @@ private:
 		s.depth = camera.depth(zPrime);
 		s.magnification = camera.magnification(zPrime);
 		Point3d n(0, 0, 0);
-		for (int k = 0; k < 3; k++)
-			n += Point3d::Construct(surface.cornerNormals[size_t(3 * face + k)]) * s.weights[k];
+		for (int k = 0; k < 3; k++) n += Point3d::Construct(surface.cornerNormals[size_t(3 * face + k)]) * s.weights[k];
 		s.normal = camera.turn(n).Normalize();
 		const bool back = camera.turn(surface.faceNormals[size_t(face)]) * toViewer(s) < 0;
 		if (back) s.normal = -s.normal;
@@ -152,7 +159,10 @@ private:
 		return (base * diffuse + Point3d(gloss, gloss, gloss)) * ink;
 	}
 
-	static Point3d keyLight() { return Point3d(-0.50, 0.62, 0.80).Normalize(); }  // camera coordinates: from the upper left
+	static Point3d keyLight()
+	{
+		return Point3d(-0.50, 0.62, 0.80).Normalize();
+	}  // camera coordinates: from the upper left
 
 	/// What a drawn edge leaves of the light: 1 away from edges.
 	double line(const Sample& s) const
@@ -164,13 +174,15 @@ private:
 			const EdgeKind kind = surface.edges[3 * size_t(s.face) + k];
 			if (kind != EdgeKind::Crease && options.edges != PictureEdges::All) continue;
 			const Point3d &a = projected[size_t(t[k])], &b = projected[size_t(t[(k + 1) % 3])];
-			const Point3d &c = projected[size_t(t[(k + 2) % 3])];
+			const Point3d& c = projected[size_t(t[(k + 2) % 3])];
 			const double length = std::sqrt(vcg::math::Sqr(b[0] - a[0]) + vcg::math::Sqr(b[1] - a[1]));
 			if (length == 0) continue;
 			const double height = std::abs((b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1])) / length;
 			const double pixels = s.screenWeights[int((k + 2) % 3)] * height / options.samples;
-			const double halfWidth = kind == EdgeKind::Crease ? 0.7 : 0.4;
-			if (pixels < halfWidth) left = std::min(left, kind == EdgeKind::Crease ? 0.30 : 0.45);
+			if (pixels >= (kind == EdgeKind::Crease ? 0.7 : 0.4)) continue;
+			const double room =
+				std::clamp(height / options.samples / 8, 0.1, 1.0);  // fine triangles must not turn to ink
+			left = std::min(left, kind == EdgeKind::Crease ? 0.30 : 1 - 0.55 * room);
 		}
 		return left;
 	}
@@ -188,7 +200,8 @@ private:
 			const int x = s.x + int(std::lrint(r * way[0])), y = s.y - int(std::lrint(r * way[1]));
 			if (x < 0 || y < 0 || x >= seen.width || y >= seen.height || (x == s.x && y == s.y)) continue;
 			if (seen.face[seen.index(x, y)] < 0) continue;
-			const Point3d there((x - s.x) / unit, (s.y - y) / unit, camera.depth(seen.depth[seen.index(x, y)]) - s.depth);
+			const Point3d there((x - s.x) / unit, (s.y - y) / unit,
+			                    camera.depth(seen.depth[seen.index(x, y)]) - s.depth);
 			const double rise = s.normal * there;
 			if (rise <= 0) continue;
 			const double distance = there.Norm();
@@ -207,7 +220,10 @@ private:
 		light.extent = 1.3 * view.extent * std::hypot(1.0, double(panel.width) / panel.height);
 		return light;
 	}
-	Camera makeLightCamera(const PictureView& view) const { return MakeCamera(lightView(view), lightMapSide, lightMapSide); }
+	Camera makeLightCamera(const PictureView& view) const
+	{
+		return MakeCamera(lightView(view), lightMapSide, lightMapSide);
+	}
 
 	/// Share of the key light that reaches a point, 0 to 1, soft at the shadow's border.
 	double sunlight(const Sample& s) const

@@ -90,7 +90,8 @@ inline void ScanFace(DepthBuffer& buffer, int face, const std::array<vcg::Point3
 	}
 	const std::int64_t area = (x[1] - x[0]) * (y[2] - y[0]) - (x[2] - x[0]) * (y[1] - y[0]);
 	if (area == 0) return;
-	const double dx1 = double(x[1] - x[0]), dx2 = double(x[2] - x[0]), dy1 = double(y[1] - y[0]), dy2 = double(y[2] - y[0]);
+	const double dx1 = double(x[1] - x[0]), dx2 = double(x[2] - x[0]), dy1 = double(y[1] - y[0]),
+				 dy2 = double(y[2] - y[0]);
 	const double dz1 = corner[1][2] - corner[0][2], dz2 = corner[2][2] - corner[0][2];
 	const double slopeX = (dz1 * dy2 - dz2 * dy1) / double(area), slopeY = (dz2 * dx1 - dz1 * dx2) / double(area);
 	const auto [yLow, yHigh] = std::minmax({y[0], y[1], y[2]});

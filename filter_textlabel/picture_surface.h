@@ -60,7 +60,9 @@ inline std::vector<int> MergeEqualPoints(const std::vector<vcg::Point3d>& points
 /// Half-edges are sorted by their two vertices: linear memory, no map, whatever the valence.
 inline std::vector<int> FindMates(const std::vector<std::array<int, 3>>& triangles, const std::vector<int>& merged)
 {
-	struct Half { int low, high, id; };
+	struct Half {
+		int low, high, id;
+	};
 	std::vector<Half> halves;
 	halves.reserve(3 * triangles.size());
 	for (size_t f = 0; f < triangles.size(); f++)
@@ -68,8 +70,9 @@ inline std::vector<int> FindMates(const std::vector<std::array<int, 3>>& triangl
 			const int a = merged[size_t(triangles[f][k])], b = merged[size_t(triangles[f][(k + 1) % 3])];
 			halves.push_back({std::min(a, b), std::max(a, b), int(3 * f + k)});
 		}
-	std::sort(halves.begin(), halves.end(),
-	          [](const Half& p, const Half& q) { return std::tie(p.low, p.high, p.id) < std::tie(q.low, q.high, q.id); });
+	std::sort(halves.begin(), halves.end(), [](const Half& p, const Half& q) {
+		return std::tie(p.low, p.high, p.id) < std::tie(q.low, q.high, q.id);
+	});
 	std::vector<int> mates(halves.size(), -1);
 	const auto start = [&](const Half& h) { return merged[size_t(triangles[size_t(h.id) / 3][size_t(h.id) % 3])]; };
 	const auto sameEdge = [&](size_t i, size_t j) {
@@ -135,7 +138,8 @@ inline std::vector<vcg::Point3f> SmoothNormals(const PictureMesh& mesh, const Pi
 	}
 	std::vector<vcg::Point3d> sums(mates.size(), vcg::Point3d(0, 0, 0));
 	for (size_t h = 0; h < mates.size(); h++)
-		sums[size_t(groups.find(int(h)))] += surface.faceNormals[h / 3] * (weights[h / 3] * CornerAngle(mesh, h / 3, h % 3));
+		sums[size_t(groups.find(int(h)))] +=
+			surface.faceNormals[h / 3] * (weights[h / 3] * CornerAngle(mesh, h / 3, h % 3));
 	std::vector<vcg::Point3f> normals(mates.size());
 	for (size_t h = 0; h < mates.size(); h++) {
 		vcg::Point3d n = sums[size_t(groups.find(int(h)))];

@@ -29,7 +29,8 @@ PictureMesh Sphere(double radius, int rings)
 	for (int i = 0; i <= rings; i++)
 		for (int j = 0; j < around; j++) {
 			const double a = pi * i / rings, b = 2 * pi * j / around;
-			mesh.positions.push_back(Point3d(std::sin(a) * std::cos(b), std::sin(a) * std::sin(b), std::cos(a)) * radius);
+			mesh.positions.push_back(Point3d(std::sin(a) * std::cos(b), std::sin(a) * std::sin(b), std::cos(a)) *
+			                         radius);
 		}
 	for (int i = 0; i < rings; i++)
 		for (int j = 0; j < around; j++) {
@@ -278,7 +279,7 @@ TEST(Picture, CreasesAreDrawnAndFlatEdgesAreNot)
 	for (const PictureEdges edges : {PictureEdges::Creases, PictureEdges::All}) {
 		options.edges = edges;
 		const Picture picture = RenderPicture(Box({4, 4, 4}), view, options);
-		EXPECT_LT(picture.at(50, 50)[0], 200);   // the edge between the two sides that are seen
+		EXPECT_LT(picture.at(50, 50)[0], 200);  // the edge between the two sides that are seen
 		EXPECT_EQ(picture.at(60, 40)[0], 255);
 	}
 	const Picture diagonal = RenderPicture(Box({4, 4, 4}), view, options);  // from (4,0,4) to (4,4,0) on one side
@@ -378,7 +379,8 @@ TEST(WritePicture, PngHoldsThePixels)
 	for (int y = 0; y < 31; y++)
 		for (int x = 0; x < 31; x++) {
 			const QRgb p = image.pixel(x, y);
-			EXPECT_EQ(picture.at(x, y), (PictureColor{std::uint8_t(qRed(p)), std::uint8_t(qGreen(p)), std::uint8_t(qBlue(p))}));
+			EXPECT_EQ(picture.at(x, y),
+			          (PictureColor{std::uint8_t(qRed(p)), std::uint8_t(qGreen(p)), std::uint8_t(qBlue(p))}));
 		}
 	std::remove(path.c_str());
 	EXPECT_FALSE(WritePicture(picture, testing::TempDir() + "no/such/folder/picture.png"));
