@@ -1,0 +1,81 @@
+#pragma once
+// What can be wrong with a text, its font or its options.
+//
+// MakeTextOutline throws a TextError: a code with the data that belongs to it. Sentence() says in one place what is wrong,
+// where, and what to do about it.
+
+#include <cstddef>
+#include <exception>
+#include <string>
+#include <vector>
+
+namespace textlabel {
+
+enum class TextErrorCode {
+	// the text
+	EmptyText,      ///< nothing to cut: no character, or only blanks
+	BadUtf8,        ///< `offset`: first byte that is not UTF-8
+	TextTooLong,    ///< `value` letters, `limit` allowed
+	MissingGlyphs,  ///< `codePoints`: characters that `font` does not have
+	NoOutlines,  ///< `codePoints`: characters that `font` has as bitmaps or colour layers only (or all of them: empty)
+	// the font
+	FontNotFound,     ///< no such file, or Fontconfig knows no font at all
+	FontSubstituted,  ///< no such family or style; `substitute` is what Fontconfig would take instead
+	NotAFont,         ///< a file, or folder, that FreeType cannot read as a font; `detail` says why
+	NoUnicodeMap,     ///< a font that does not say which glyph is which character
+	BadFace,          ///< face number `value` of a file that has `limit` faces
+	BadAxis,  ///< `detail`: a design axis or a value that the font does not have; `substitute`: those that it has
+	// the options
+	BadSize,        ///< capital height or width to fit not a positive finite number: `value`
+	BadTolerance,   ///< chord error negative, not a number, or too coarse for the letters: `value`, `limit`
+	BadSpacing,     ///< line or letter spacing not finite or out of range: `value`
+	BadSlant,       ///< degrees: `value`, at most `limit` either way
+	BadEmbolden,    ///< `value` not finite, or larger than `limit`
+	BadArc,         ///< the text does not fit on the arc: radius `value`, `limit` is the least that works
+	BadFeature,     ///< `detail`: not an OpenType feature setting
+	BadPrintLimit,  ///< smallest stroke or gap asked for is negative or not a number: `value`
+	// the result
+	TooThin,  ///< `letters` have strokes or gaps below what was asked; `value` measured, `limit` asked, `size` would do
+	LetterVanished,  ///< `letters` have nothing left after thinning them or at so coarse a tolerance
+	Unsound          ///< the outline could not be made simple polygons
+};
+
+/// What is wrong, with the data to say it.
+struct TextError : std::exception {
+	TextErrorCode code;
+	std::string font;                  ///< as asked for, or the file that was read; empty = the built-in font
+	std::string substitute;            ///< see the code
+	std::string detail;                ///< the piece of input, or what a library said
+	std::vector<char32_t> codePoints;  ///< each once, in order of appearance
+	std::vector<std::string> letters;  ///< UTF-8, each once
+	std::size_t offset = 0;            ///< byte of the text
+	double value = 0, limit = 0;       ///< measured and allowed, see the code
+	double size = 0;                   ///< capital height that would do, mesh units
+
+	explicit TextError(TextErrorCode c, std::string d = {}) : code(c), detail(std::move(d)) {}
+	TextError& ofFont(std::string f)
+	{
+		font = std::move(f);
+		return *this;
+	}
+	TextError& insteadOf(std::string s)
+	{
+		substitute = std::move(s);
+		return *this;
+	}
+	TextError& measured(double v, double l)
+	{
+		value = v;
+		limit = l;
+		return *this;
+	}
+	const char* what() const noexcept override { return detail.c_str(); }
+};
+
+/// The error as text for a person: what is wrong, where, and the remedy.
+std::string Sentence(const TextError& error);
+
+/// "U+0041 LATIN CAPITAL LETTER A"; without the name where it is not at hand.
+std::string CodePointName(char32_t codePoint);
+
+}  // namespace textlabel
