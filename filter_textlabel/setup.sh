@@ -21,10 +21,10 @@ mirror=${TEXTLABEL_DEBIAN_MIRROR:-http://deb.debian.org/debian}
 
 build_packages=(g++ cmake ninja-build pkg-config xz-utils meshlab qtbase5-dev libqt5opengl5-dev libglew-dev
 	libglu1-mesa-dev libeigen3-dev libfreetype-dev libharfbuzz-dev libfribidi-dev libfontconfig-dev
-	libpolyclipping-dev fonts-dejavu-core)
+	libpolyclipping-dev)
 run_packages=(xvfb xauth)
 test_packages=(libgtest-dev libbenchmark-dev clang-format libcgal-dev admesh xdotool imagemagick libharfbuzz-bin
-	ccache git python3-venv ca-certificates)
+	fonts-dejavu-core git python3-venv ca-certificates)
 
 say() { printf 'textlabel: %s\n' "$*" >&2; }
 die() {
