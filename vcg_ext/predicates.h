@@ -192,11 +192,15 @@ inline int InCircle2dExact(const vcg::Point2d& a, const vcg::Point2d& b, const v
 
 }  // namespace detail
 
+// In the three filters a size of zero means that every term is exactly zero, as in axis-parallel planes: nothing underflows
+// within the domain, and a rounded difference is zero only for equal coordinates.
+
 inline int Orient2d(const vcg::Point2d& a, const vcg::Point2d& b, const vcg::Point2d& c)
 {
 	const double left = (a[0] - c[0]) * (b[1] - c[1]), right = (a[1] - c[1]) * (b[0] - c[0]);
-	const double det = left - right, bound = detail::kOrient2dError * (std::fabs(left) + std::fabs(right));
-	if (det > bound || -det > bound) return detail::Sign(det);
+	const double size = std::fabs(left) + std::fabs(right);
+	const double det = left - right, bound = detail::kOrient2dError * size;
+	if (det > bound || -det > bound || size == 0) return detail::Sign(det);
 	return detail::Orient2dExact(a, b, c);
 }
 
@@ -210,7 +214,7 @@ inline int Orient3d(const vcg::Point3d& a, const vcg::Point3d& b, const vcg::Poi
 	const double size = (std::fabs(yz) + std::fabs(zy)) * std::fabs(adx) + (std::fabs(zx) + std::fabs(xz)) * std::fabs(ady) +
 		(std::fabs(xy) + std::fabs(yx)) * std::fabs(adz);
 	const double bound = detail::kOrient3dError * size;
-	if (det > bound || -det > bound) return detail::Sign(det);
+	if (det > bound || -det > bound || size == 0) return detail::Sign(det);
 	return detail::Orient3dExact(a, b, c, d);
 }
 
@@ -224,7 +228,7 @@ inline int InCircle2d(const vcg::Point2d& a, const vcg::Point2d& b, const vcg::P
 	const double size = aLift * (std::fabs(bc) + std::fabs(cb)) + bLift * (std::fabs(ca) + std::fabs(ac)) +
 		cLift * (std::fabs(ab) + std::fabs(ba));
 	const double bound = detail::kInCircleError * size;
-	if (det > bound || -det > bound) return detail::Sign(det);
+	if (det > bound || -det > bound || size == 0) return detail::Sign(det);
 	return detail::InCircle2dExact(a, b, c, d);
 }
 

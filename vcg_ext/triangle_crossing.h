@@ -1,0 +1,239 @@
+#pragma once
+// Whether two triangles meet in more than the corners and edges they share, decided exactly.
+//
+// Two faces of a sound surface meet nowhere, in one common corner, or along one common edge. Anything more is a fault of the
+// surface. The answer is made of signs of exact predicates only: no intersection point is ever computed.
+//
+// Source: P. Guigue, O. Devillers, "Fast and Robust Triangle-Triangle Overlap Test Using Orientation Predicates", Journal of
+// Graphics Tools 8 (2003). Differs in: exact predicates instead of floating-point ones, and shared corners: the line in which
+// the two planes meet leaves both triangles at a shared corner, so the same two comparisons that find the overlap of the
+// intervals on that line also tell whether anything lies beyond the corner.
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "vcg_ext/predicates.h"
+
+namespace vcg::textlabel {
+
+/// The corners of a triangle.
+using Corners = std::array<vcg::Point3d, 3>;
+
+/// How two triangles meet. Corners are shared when their coordinates are equal, whatever indices they go by.
+enum class Contact {
+	Disjoint,    ///< no common point
+	SharesOnly,  ///< a common corner or edge and nothing beyond it
+	NoArea,      ///< one of them is collinear: it has no inside to cross, and the neighbours along its edges tell of the place
+	Touches,     ///< common points beyond what is shared, none of them inside both triangles
+	Crosses,     ///< not coplanar, and points inside the one are inside the other
+	Overlaps     ///< coplanar, and an area in common: folded onto one another, or the same face twice
+};
+
+/// Whether a contact is a fault of the surface; triangles without area are a fault of another kind.
+inline bool IsCrossing(Contact c) { return c >= Contact::Touches; }
+
+inline const char* Name(Contact c)
+{
+	constexpr const char* kNames[] = {"disjoint", "shares-only", "no-area", "touches", "crosses", "overlaps"};
+	return kNames[static_cast<int>(c)];
+}
+
+/// How triangles a and b meet, exactly; symmetric in a and b and independent of the order of their corners.
+/// @param[in] a,b  coordinates in the domain of the exact predicates (predicates.h)
+/// @post NoArea only when the boxes of a and b meet, and neither lies strictly on one side of the other's plane
+Contact ContactOf(const Corners& a, const Corners& b);
+
+/// As ContactOf, for a caller who knows that the boxes of a and b meet.
+Contact ContactWithinBoxes(const Corners& a, const Corners& b);
+
+/// Whether the three points lie on one line, exactly.
+bool IsCollinear(const Corners& t);
+
+namespace detail {
+
+/// A corner of each triangle that is the same point; the others are not, or there is a second pair.
+struct SharedCorners {
+	int count = 0;
+	std::array<int, 3> inA{}, inB{};  ///< the first `count` are set
+};
+
+inline SharedCorners FindShared(const Corners& a, const Corners& b)
+{
+	SharedCorners s;
+	for (int i = 0; i < 3; ++i)
+		for (int j = 0; j < 3; ++j) {
+			if (a[static_cast<size_t>(i)] != b[static_cast<size_t>(j)]) continue;
+			s.inA[static_cast<size_t>(s.count)] = i;
+			s.inB[static_cast<size_t>(s.count++)] = j;
+			break;
+		}
+	return s;
+}
+
+/// Drops one axis: the plane projection in which exact coplanar questions are asked.
+inline vcg::Point2d Dropped(const vcg::Point3d& p, int axis) { return {p[(axis + 1) % 3], p[(axis + 2) % 3]}; }
+
+using Flat = std::array<vcg::Point2d, 3>;
+
+/// The triangle seen along an axis, turned counter-clockwise.
+/// @return its orientation before: 0 when it is seen edge-on (and then it is not turned)
+inline int Flatten(const Corners& t, int axis, Flat& flat)
+{
+	for (size_t i = 0; i < 3; ++i) flat[i] = Dropped(t[i], axis);
+	const int orientation = Orient2d(flat[0], flat[1], flat[2]);
+	if (orientation < 0) std::swap(flat[1], flat[2]);
+	return orientation;
+}
+
+/// How far an edge line of `a` keeps `b` out: +1 b strictly outside, 0 b outside or on the line, -1 no edge does.
+inline int EdgeSeparation(const Flat& a, const Flat& b)
+{
+	int best = -1;
+	for (size_t i = 0; i < 3; ++i) {
+		int inmost = -1;
+		for (size_t j = 0; j < 3; ++j) inmost = std::max(inmost, Orient2d(a[i], a[(i + 1) % 3], b[j]));
+		best = std::max(best, -inmost);
+	}
+	return best;
+}
+
+/// Whether two edges that leave the shared corner `from` run along each other.
+inline bool SameDirection(const vcg::Point2d& from, const vcg::Point2d& p, const vcg::Point2d& q)
+{
+	if (Orient2d(from, p, q) != 0) return false;
+	const int axis = p[0] != from[0] ? 0 : 1;
+	return (p[axis] > from[axis]) == (q[axis] > from[axis]) && q[axis] != from[axis];
+}
+
+/// Whether an edge of a and one of b that leave their only shared corner run along each other.
+inline bool EdgesRunTogether(const Flat& a, const Flat& b)
+{
+	for (size_t i = 0; i < 3; ++i)
+		for (size_t j = 0; j < 3; ++j)
+			if (a[i] == b[j])
+				for (size_t k = 1; k < 3; ++k)
+					for (size_t l = 1; l < 3; ++l)
+						if (SameDirection(a[i], a[(i + k) % 3], b[(j + l) % 3])) return true;
+	return false;
+}
+
+/// The contact of triangles in one plane, or of any pair of which one has no area.
+inline Contact CoplanarContact(const Corners& a, const Corners& b, int sharedCount)
+{
+	Flat fa, fb;
+	int axis = 0;
+	while (axis < 3 && Flatten(a, axis, fa) == 0) ++axis;
+	if (axis == 3 || Flatten(b, axis, fb) == 0) return Contact::NoArea;
+	const int apart = std::max(EdgeSeparation(fa, fb), EdgeSeparation(fb, fa));
+	if (apart < 0) return Contact::Overlaps;
+	if (apart > 0) return Contact::Disjoint;
+	if (sharedCount == 0) return Contact::Touches;
+	// Two shared corners and no area in common: the shared edge is a side of each, and nothing lies on its line beyond.
+	return sharedCount == 1 && EdgesRunTogether(fa, fb) ? Contact::Touches : Contact::SharesOnly;
+}
+
+/// The sides of a plane on which the corners of a triangle lie.
+using Sides = std::array<int, 3>;
+
+inline Sides SidesOf(const Corners& plane, const Corners& t)
+{
+	return {Orient3d(plane[0], plane[1], plane[2], t[0]), Orient3d(plane[0], plane[1], plane[2], t[1]),
+		Orient3d(plane[0], plane[1], plane[2], t[2])};
+}
+
+inline bool AllZero(const Sides& s) { return s[0] == 0 && s[1] == 0 && s[2] == 0; }
+
+/// Whether a triangle meets the plane nowhere but in the given corner (which lies in the plane; -1: nowhere at all).
+inline bool StaysOut(const Sides& s, int corner)
+{
+	const size_t i = corner < 0 ? 0 : static_cast<size_t>(corner);
+	const int next = s[(i + 1) % 3], last = s[(i + 2) % 3];
+	return next == last && next != 0 && (corner >= 0 || s[0] == next);
+}
+
+inline bool Straddles(const Sides& s) { return std::min({s[0], s[1], s[2]}) < 0 && std::max({s[0], s[1], s[2]}) > 0; }
+
+/// The corner whose two edges reach the plane: alone on its side, or the only one in the plane, or the only one out of it.
+/// @pre neither AllZero(s) nor StaysOut(s, -1)
+inline size_t LoneCorner(const Sides& s)
+{
+	for (size_t i = 0; i < 2; ++i) {
+		const int next = s[(i + 1) % 3], last = s[(i + 2) % 3];
+		if (s[i] != next && s[i] != last && next * last >= 0) return i;
+	}
+	return 2;
+}
+
+/// The contact of triangles in different planes, each of which the other one reaches.
+///
+/// Both cut the line of the two planes in an interval. Each is turned so that its lone corner p comes first, and the other
+/// turned over when p is below it, so that p is above; the interval then runs from edge pq to edge pr in the one, from pr to
+/// pq in the other, and one Orient3d of two edges compares the ends that they cut.
+///
+///              p                a in the paper, counter-clockwise; b stands on the line, p above the paper, q below it on
+///            /   \              the right, r on the left: they overlap when pq of a is left of pq of b, and pr of b left
+///     -----/-------\---- line   of pr of a
+///         q         r
+inline Contact SpatialContact(Corners a, Corners b, const Sides& sidesA, const Sides& sidesB, int sharedCount)
+{
+	const size_t pa = LoneCorner(sidesA), pb = LoneCorner(sidesB);
+	std::rotate(a.begin(), a.begin() + static_cast<std::ptrdiff_t>(pa), a.end());
+	std::rotate(b.begin(), b.begin() + static_cast<std::ptrdiff_t>(pb), b.end());
+	if (sidesA[pa] < sidesA[(pa + 1) % 3]) std::swap(b[1], b[2]);
+	if (sidesB[pb] < sidesB[(pb + 1) % 3]) std::swap(a[1], a[2]);
+
+	const int first = -Orient3d(a[0], a[1], b[0], b[1]);
+	if (first < 0 || (first == 0 && sharedCount > 0)) return sharedCount > 0 ? Contact::SharesOnly : Contact::Disjoint;
+	const int second = Orient3d(a[0], a[2], b[0], b[2]);
+	if (second < 0 || (second == 0 && sharedCount > 0)) return sharedCount > 0 ? Contact::SharesOnly : Contact::Disjoint;
+	const bool insides = first > 0 && second > 0 && Straddles(sidesA) && Straddles(sidesB);
+	return insides ? Contact::Crosses : Contact::Touches;
+}
+
+inline bool BoxesMeet(const Corners& a, const Corners& b)
+{
+	for (int k = 0; k < 3; ++k) {
+		if (std::max({a[0][k], a[1][k], a[2][k]}) < std::min({b[0][k], b[1][k], b[2][k]})) return false;
+		if (std::max({b[0][k], b[1][k], b[2][k]}) < std::min({a[0][k], a[1][k], a[2][k]})) return false;
+	}
+	return true;
+}
+
+}  // namespace detail
+
+inline Contact ContactWithinBoxes(const Corners& a, const Corners& b)
+{
+	const detail::SharedCorners shared = detail::FindShared(a, b);
+	if (shared.count == 3) return detail::CoplanarContact(a, b, 3);
+	const Contact apart = shared.count > 0 ? Contact::SharesOnly : Contact::Disjoint;
+	if (shared.count == 2) {
+		const size_t apex = static_cast<size_t>(3 - shared.inB[0] - shared.inB[1]);
+		// Neighbours out of one plane, the most frequent case of all, meet along their common edge and nowhere else.
+		if (apex < 3 && Orient3d(a[0], a[1], a[2], b[apex]) != 0) return apart;
+		return detail::CoplanarContact(a, b, 2);
+	}
+	const bool shares = shared.count == 1;
+	const detail::Sides sidesB = detail::SidesOf(a, b);
+	if (detail::StaysOut(sidesB, shares ? shared.inB[0] : -1)) return apart;
+	const detail::Sides sidesA = detail::SidesOf(b, a);
+	if (detail::StaysOut(sidesA, shares ? shared.inA[0] : -1)) return apart;
+	if (detail::AllZero(sidesA) && detail::AllZero(sidesB)) return detail::CoplanarContact(a, b, shared.count);
+	if (detail::AllZero(sidesA) || detail::AllZero(sidesB)) return Contact::NoArea;
+	return detail::SpatialContact(a, b, sidesA, sidesB, shared.count);
+}
+
+inline Contact ContactOf(const Corners& a, const Corners& b)
+{
+	return detail::BoxesMeet(a, b) ? ContactWithinBoxes(a, b) : Contact::Disjoint;
+}
+
+inline bool IsCollinear(const Corners& t)
+{
+	detail::Flat flat;
+	for (int axis = 0; axis < 3; ++axis)
+		if (detail::Flatten(t, axis, flat) != 0) return false;
+	return true;
+}
+
+}  // namespace vcg::textlabel
