@@ -7,6 +7,7 @@
 #   build   Debian packages to build the plugin for Debian's own MeshLab
 #   run     Debian packages to run it without a screen (label.sh)
 #   tests   Debian packages of tests/run.sh
+#   fuzz    Debian packages of tests/fuzz.sh, beside those
 #   meshlab-2020 | meshlab-2022 | meshlab-2025
 #           MeshLab's headers of that version, by Debian's source client; the system's own source lists stay as they are
 #   python  an environment with PyMeshLab and the other PyPI packages of tests/requirements.txt
@@ -25,6 +26,7 @@ build_packages=(g++ cmake ninja-build pkg-config xz-utils meshlab qtbase5-dev li
 run_packages=(xvfb xauth)
 test_packages=(libgtest-dev libbenchmark-dev clang-format libcgal-dev admesh xdotool imagemagick libharfbuzz-bin
 	fonts-dejavu-core git python3-venv ca-certificates)
+fuzz_packages=(clang libclang-rt-14-dev)
 
 say() { printf 'textlabel: %s\n' "$*" >&2; }
 die() {
@@ -176,13 +178,14 @@ if [ "${1:-}" = --where ]; then
 	where "${2:?setup.sh --where WHAT}"
 	exit
 fi
-[ $# -gt 0 ] || die "usage: setup.sh build|run|tests|meshlab-2020|meshlab-2022|meshlab-2025|python ..."
+[ $# -gt 0 ] || die "usage: setup.sh build|run|tests|fuzz|meshlab-2020|meshlab-2022|meshlab-2025|python ..."
 packages=()
 for what in "$@"; do
 	case $what in
 	build) packages+=("${build_packages[@]}") ;;
 	run) packages+=("${run_packages[@]}") ;;
 	tests) packages+=("${test_packages[@]}") ;;
+	fuzz) packages+=("${fuzz_packages[@]}") ;;
 	meshlab-2020 | meshlab-2022 | meshlab-2025 | python) ;;
 	*) die "unknown: '$what'; see the head of setup.sh" ;;
 	esac

@@ -10,7 +10,8 @@ else()
 		-ffp-contract=off)  # fused multiply-adds would break the error bounds of the predicates and the same bytes everywhere
 	if(TEXTLABEL_SANITIZE)
 		target_compile_options(textlabel_options INTERFACE
-			-fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
+			-fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer
+			$<$<CXX_COMPILER_ID:Clang>:-fsanitize=fuzzer-no-link>)  # the coverage that tests/fuzz.sh is guided by
 		target_link_options(textlabel_options INTERFACE -fsanitize=address,undefined)
 	endif()
 	if(NOT APPLE)
