@@ -47,7 +47,7 @@ esac
 mkdir -p "$build"
 exec 9>"$build/.lock"  # one at a time in this tree
 flock 9
-[ -f "$build/.arguments" ] || echo "textlabel: building the plugin for $host" >&2
+[ -f "$build/.configured" ] || echo "textlabel: building the plugin for $host" >&2
 { configure_tree "$build" "${arguments[@]}" && cmake --build "$build" --target filter_textlabel; } >"$build/log" 2>&1 9>&- || {
 	cat "$build/log" >&2
 	echo "textlabel: the plugin for $host could not be built: the reason stands above, and in build/$host/log" >&2

@@ -1,10 +1,14 @@
-# configure_tree FOLDER ARGUMENT...: configure a CMake build tree of this project, unless it was with the same arguments.
-# A tree from other arguments, or from another place on the disk, starts afresh. To be sourced; needs $top.
+# configure_tree FOLDER ARGUMENT...: configure a CMake build tree of this project, unless that is done already.
+# With other arguments, other CMake files or in another place on the disk it starts afresh, so that nothing stale is kept
+# but objects. To be sourced; needs $top.
 configure_tree() {
-	local tree=$1 wish
+	local tree=$1 state
 	shift
-	wish=$(printf '%s\n' "$top" "$tree" "$@")
-	if [ -f "$tree/build.ninja" ] && [ "$(cat "$tree/.arguments" 2>/dev/null)" = "$wish" ]; then return 0; fi
+	state=$(
+		printf '%s\n' "$top" "$tree" "$@"
+		cat "$top"/CMakeLists.txt "$top"/*/CMakeLists.txt "$top"/filter_textlabel/cmake/*.cmake | sha256sum
+	)
+	if [ -f "$tree/build.ninja" ] && [ "$(cat "$tree/.configured" 2>/dev/null)" = "$state" ]; then return 0; fi
 	rm -rf "$tree/CMakeCache.txt" "$tree/CMakeFiles"
-	cmake -S "$top" -B "$tree" -G Ninja "$@" && printf '%s\n' "$wish" >"$tree/.arguments"
+	cmake -S "$top" -B "$tree" -G Ninja "$@" && printf '%s\n' "$state" >"$tree/.configured"
 }
