@@ -18,14 +18,15 @@ mkdir -p "$trees"
 exec 9>"$trees/.lock"  # one at a time in these trees
 flock 9
 
-# Every generation of MeshLab compiles, warnings being errors; the tests use PyMeshLab's and, as README says it, Debian's.
-for host in meshlab-2022 meshlab-2025 pymeshlab; do
+# Every generation of MeshLab compiles, warnings being errors.
+for host in meshlab-2022 meshlab-2025; do
 	echo "== plugin for $host"
-	plugin=$("$top/filter_textlabel/build.sh" "$host" -DTEXTLABEL_WERROR=ON)
+	"$top/filter_textlabel/build.sh" $host -DTEXTLABEL_WERROR=ON -DCMAKE_BUILD_TYPE=Debug >/dev/null
 done
-pymeshlab_plugin=$plugin
-echo "== plugin for meshlab-2020"
+# The tests use these two as a user does.
+echo "== plugin for meshlab-2020 and pymeshlab"
 "$top/filter_textlabel/build.sh" >/dev/null
+pymeshlab_plugin=$("$top/filter_textlabel/build.sh" pymeshlab)
 
 build_tree() { # name, CMake's arguments
 	local tree=$trees/$1
