@@ -13,7 +13,7 @@
 #include <array>
 #include <utility>
 
-#include "vcg_ext/predicates.h"
+#include "predicates.h"
 
 namespace vcg::textlabel {
 
@@ -98,12 +98,12 @@ inline int EdgeSeparation(const Flat& a, const Flat& b)
 	return best;
 }
 
-/// Whether two edges that leave the shared corner `from` run along each other.
+/// Whether two edges that leave the shared corner `from`, of triangles with area, run along each other.
 inline bool SameDirection(const vcg::Point2d& from, const vcg::Point2d& p, const vcg::Point2d& q)
 {
 	if (Orient2d(from, p, q) != 0) return false;
 	const int axis = p[0] != from[0] ? 0 : 1;
-	return (p[axis] > from[axis]) == (q[axis] > from[axis]) && q[axis] != from[axis];
+	return (p[axis] > from[axis]) == (q[axis] > from[axis]);
 }
 
 /// Whether an edge of a and one of b that leave their only shared corner run along each other.

@@ -1,0 +1,161 @@
+#pragma once
+// The frame of a label: where its plane lies and from where it is projected.
+//
+// All geometry happens in label space: x along the reading direction, y up, z towards the viewer, world units, origin on the
+// surface, so that parts at offsets of 1e6 or sizes of 1e-5 lose nothing. The label plane is z = 0. A point is projected to it from
+// the centre of projection C (perspective) or along -z (parallel). Both keep straight lines straight, so every decision about
+// contours and triangles is taken in the plane: the plane through C, V_i and V_i+1 of the paper is the line through two points.
+// Source: Slabaugh et al., section 3.1.
+
+#include "label_error.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vcg/math/matrix44.h>
+#include <vcg/space/point2.h>
+#include <vcg/space/point3.h>
+
+namespace vcg::textlabel {
+
+inline bool IsFinite(const vcg::Point3d& p)
+{
+	return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
+}
+
+/// Where the label's plane lies and from where it is projected; world coordinates throughout.
+struct LabelFrame {
+	vcg::Point3d origin{0, 0, 0};         ///< on the surface, under the label's anchor
+	vcg::Point3d u{1, 0, 0};              ///< reading direction, unit
+	vcg::Point3d v{0, 1, 0};              ///< up, unit
+	vcg::Point3d w{0, 0, 1};              ///< u x v, towards the viewer
+	bool perspective = false;             ///< false: parallel projection along -w
+	vcg::Point3d center{0, 0, 0};         ///< centre of projection C, when perspective
+	vcg::Matrix44d toWorld = Identity();  ///< the layer's matrix, mesh to world; affine, may mirror
+
+	static vcg::Matrix44d Identity()
+	{
+		vcg::Matrix44d m;
+		m.SetIdentity();
+		return m;
+	}
+};
+
+/// A parallel frame from a direction towards the viewer and an up direction, which is made perpendicular to it.
+/// @throws Error{BadFrame} when a vector is not finite or zero, or up is parallel to the direction
+inline LabelFrame FrameFromDirection(const vcg::Point3d& origin, const vcg::Point3d& towardsViewer,
+                                     const vcg::Point3d& up)
+{
+	const auto unit = [](vcg::Point3d p) {  // scaled first: 1e-300 and 1e300 are directions too
+		const double big = std::max({std::abs(p[0]), std::abs(p[1]), std::abs(p[2])});
+		if (big == 0) throw Error(ErrorCode::BadFrame, "a direction is zero");
+		p /= big;
+		return p / p.Norm();
+	};
+	if (!IsFinite(origin) || !IsFinite(towardsViewer) || !IsFinite(up))
+		throw Error(ErrorCode::BadFrame, "a coordinate is not finite");
+	constexpr double smallestSine = 1e-6;
+	LabelFrame f;
+	f.origin = origin;
+	f.w = unit(towardsViewer);
+	const vcg::Point3d side = unit(up) ^ f.w;
+	if (side.Norm() < smallestSine) throw Error(ErrorCode::BadFrame, "up is parallel to the direction");
+	f.u = side / side.Norm();
+	f.v = f.w ^ f.u;
+	return f;
+}
+
+/// Maps mesh coordinates to label space and on to the label plane, and back.
+class LabelSpace {
+public:
+	/// @throws Error{BadFrame} when the frame is not finite and orthonormal, the layer's matrix is singular, or C is not
+	///         on the viewer's side of the label plane
+	explicit LabelSpace(const LabelFrame& frame);
+
+	/// Mesh coordinates to label space.
+	vcg::Point3d toLabel(const vcg::Point3d& mesh) const { return multiply(meshToLabel_, mesh - meshOrigin_); }
+	/// Label space to mesh coordinates.
+	vcg::Point3d toMesh(const vcg::Point3d& label) const { return multiply(labelToMesh_, label) + meshOrigin_; }
+	/// A vector (no point) of label space in mesh coordinates.
+	vcg::Point3d vectorToMesh(const vcg::Point3d& label) const { return multiply(labelToMesh_, label); }
+
+	bool perspective() const { return perspective_; }
+	/// Centre of projection in label space; meaningful when perspective().
+	const vcg::Point3d& center() const { return center_; }
+	/// True when the layer's matrix mirrors: triangles that face the viewer are stored clockwise then.
+	bool mirrors() const { return mirrors_; }
+	/// World length of one unit of mesh coordinates, the largest over all directions (bounded from above).
+	double scale() const { return scale_; }
+	/// True when q lies safely in front of the centre of projection.
+	bool isInFront(const vcg::Point3d& q) const { return !perspective_ || q[2] < nearestZ_; }
+
+	/// Size of the projection over size in space, for what lies at q and faces the viewer; also the weight of a vertex
+	/// when interpolating along projected lines (perspective-correct). 1 in parallel projection.
+	double magnification(const vcg::Point3d& q) const
+	{
+		return perspective_ ? center_[2] / (center_[2] - q[2]) : 1.0;
+	}
+	/// Project a point of label space to the label plane. @pre isInFront(q)
+	vcg::Point2d project(const vcg::Point3d& q) const
+	{
+		if (!perspective_) return {q[0], q[1]};
+		const double k = magnification(q);
+		return {center_[0] + (q[0] - center_[0]) * k, center_[1] + (q[1] - center_[1]) * k};
+	}
+	/// Unit vector from a point of label space towards the viewer.
+	vcg::Point3d towardsViewer(const vcg::Point3d& q) const
+	{
+		if (!perspective_) return {0, 0, 1};
+		const vcg::Point3d d = center_ - q;
+		return d / d.Norm();
+	}
+
+private:
+	using Rows = vcg::Point3d[3];
+	static vcg::Point3d multiply(const Rows& m, const vcg::Point3d& p) { return {m[0] * p, m[1] * p, m[2] * p}; }
+
+	Rows meshToLabel_, labelToMesh_;
+	vcg::Point3d meshOrigin_{0, 0, 0}, center_{0, 0, 0};
+	double nearestZ_ = std::numeric_limits<double>::infinity(), scale_ = 1;
+	bool perspective_ = false, mirrors_ = false;
+};
+
+inline LabelSpace::LabelSpace(const LabelFrame& f) : perspective_(f.perspective)
+{
+	constexpr double orthonormality = 1e-9;  // what a caller's rounding may leave
+	constexpr double nearPlane = 1e-3;       // of the distance from C to the label plane
+	const auto bad = [](const char* why) { throw Error(ErrorCode::BadFrame, why); };
+	for (const vcg::Point3d& p : {f.origin, f.u, f.v, f.w, f.center})
+		if (!IsFinite(p)) bad("the frame is not finite");
+	for (const double d : {f.u * f.u - 1, f.v * f.v - 1, f.w * f.w - 1, f.u * f.v, f.v * f.w, f.w * f.u, (f.u ^ f.v) * f.w - 1})
+		if (!(std::abs(d) < orthonormality)) bad("the frame is not orthonormal and right-handed");
+	vcg::Point3d column[3], shift;
+	for (int i = 0; i < 3; ++i) {
+		for (int j = 0; j < 3; ++j) column[j][i] = f.toWorld.ElementAt(i, j);
+		shift[i] = f.toWorld.ElementAt(i, 3);
+	}
+	for (const vcg::Point3d& p : {column[0], column[1], column[2], shift})
+		if (!IsFinite(p)) bad("the layer's matrix is not finite");
+	const double det = (column[0] ^ column[1]) * column[2];
+	scale_ = std::sqrt(column[0].SquaredNorm() + column[1].SquaredNorm() + column[2].SquaredNorm());
+	if (!(std::abs(det) > std::numeric_limits<double>::epsilon() * scale_ * scale_ * scale_)) bad("the layer's matrix is singular");
+	if (det == 1) scale_ = 1;  // a rigid layer; elsewhere the bound of the Frobenius norm is enough
+	mirrors_ = det < 0;
+	const vcg::Point3d inverseRow[3] = {(column[1] ^ column[2]) / det, (column[2] ^ column[0]) / det,
+	                                    (column[0] ^ column[1]) / det};
+	const vcg::Point3d axis[3] = {f.u, f.v, f.w};
+	for (int i = 0; i < 3; ++i)
+		for (int j = 0; j < 3; ++j) {
+			meshToLabel_[i][j] = axis[i] * column[j];
+			labelToMesh_[i][j] = inverseRow[i] * axis[j];
+		}
+	meshOrigin_ = multiply(inverseRow, f.origin - shift);
+	if (perspective_) {
+		const vcg::Point3d c = f.center - f.origin;
+		center_ = {f.u * c, f.v * c, f.w * c};
+		if (!(center_[2] > 0)) bad("the centre of projection is not in front of the label plane");
+		nearestZ_ = center_[2] * (1 - nearPlane);
+	}
+}
+
+}  // namespace vcg::textlabel

@@ -1,0 +1,209 @@
+#pragma once
+// The plan of a label: everything between reading the mesh and writing it, on candidates alone.
+//
+// Resolution. Coordinates are stored, or saved, with float32; `ulp` is the step between them at the largest coordinate near the
+// label. What is closer than `snapUlps` of them is the same point. Letters whose strokes are thinner than `strokeUlps` can't be
+// carried and are refused with the numbers. Where a placement runs into a coincidence that snapping can't express (a contour that
+// comes back to a vertex where another has been, a face that rounding turns round), the whole label is shifted by a few ulps and laid
+// again, in a fixed spiral, so that the same input always gives the same bytes. No point of a contour moves by more than
+// `resolution`, which is what the result states. No vertex of the mesh moves, ever.
+
+#include "label_clearance.h"
+#include "label_seed.h"
+#include "patch_check.h"
+
+#include <functional>
+
+namespace vcg::textlabel {
+
+struct LabelOptions {
+	double height = 0;                          ///< world units: > 0 raised, < 0 sunk, 0 flat
+	ExtrudeAlong along = ExtrudeAlong::Viewpoint;
+	double maxStretch = 8;                      ///< refuse where a letter gets this much longer on the surface than in the plane
+	std::function<bool(int percent)> progress;  ///< may be null; false cancels
+};
+
+struct LabelPlan {
+	CutLabel cut;
+	LabelPatch patch;
+	double stretch = 1;       ///< largest ratio of surface length to label length under the letters
+	double surfaceArea = 0;   ///< of the letters on the surface before raising, world units squared
+	double room = 0;          ///< to the next surface behind the letters, world units; infinite if none
+	double resolution = 0;    ///< world units: no point of a contour was moved by more
+	int attempts = 0;         ///< placements tried
+};
+
+/// How the coordinates of a mesh are stored or saved.
+struct Precision {
+	bool isFloat = true;  ///< float32, else float64
+
+	double round(double x) const { return isFloat ? double(float(x)) : x; }
+	/// The step between coordinates of this size.
+	double ulp(double largest) const
+	{
+		const int digits = isFloat ? std::numeric_limits<float>::digits : std::numeric_limits<double>::digits;
+		const double least = isFloat ? double(std::numeric_limits<float>::denorm_min()) : std::numeric_limits<double>::denorm_min();
+		return largest > 0 ? std::max(std::ldexp(1.0, std::ilogb(largest) + 1 - digits), least) : least;
+	}
+};
+
+/// Plan a label on the candidates of a mesh.
+/// @param[in] outline  in the label plane
+/// @throws Error
+class LabelPlanner {
+public:
+	LabelPlanner(const LabelSpace& space, const Sheet& sheet, Precision precision, const LabelOptions& options);
+
+	/// World units: the least width of stroke that the coordinates carry here.
+	double leastStroke() const { return strokeUlps * ulp_; }
+	LabelPlan plan(const Outline& outline) const;
+
+private:
+	static constexpr double snapUlps = 4, strokeUlps = 64, shiftUlps = 3;
+	static constexpr int mostAttempts = 8;
+	static constexpr int bisections = 10;
+
+	Outline prepared(const Outline& outline, const vcg::Point2d& shift) const;
+	bool attempt(const Outline& outline, LabelPlan& plan, PlacementConflict& conflict) const;
+	void measureSurface(LabelPlan& plan) const;
+	void checkRoom(LabelPlan& plan) const;
+	[[noreturn]] void refuseHeight(const LabelPlan& plan, const PatchVerdict& verdict) const;
+	PatchVerdict check(const LabelPatch& patch) const;
+	void report(int percent) const;
+
+	const LabelSpace& space_;
+	const Sheet& sheet_;
+	Precision precision_;
+	const LabelOptions& options_;
+	double ulp_, snap_;
+};
+
+// ---------------------------------------------------------------------------------------------------------------------------
+
+inline LabelPlanner::LabelPlanner(const LabelSpace& space, const Sheet& sheet, Precision precision, const LabelOptions& options)
+    : space_(space), sheet_(sheet), precision_(precision), options_(options),
+      ulp_(precision.ulp(sheet.largestCoordinate) * space.scale()), snap_(snapUlps * ulp_)
+{
+}
+
+inline void LabelPlanner::report(int percent) const
+{
+	if (options_.progress && !options_.progress(percent)) throw Error(ErrorCode::Cancelled, "the caller said stop");
+}
+
+/// The outline shifted, without points that the resolution can't tell apart.
+inline Outline LabelPlanner::prepared(const Outline& outline, const vcg::Point2d& shift) const
+{
+	constexpr double apart = 4;  // of snap: neighbours of a contour
+	Outline out;
+	out.partCount = outline.partCount;
+	for (const Contour& c : outline.contours) {
+		Contour& kept = out.contours.emplace_back();
+		kept.part = c.part;
+		kept.letter = c.letter;
+		double perimeter = 0;
+		for (size_t i = 0; i < c.points.size(); ++i) {
+			const vcg::Point2d p = c.points[i] + shift;
+			perimeter += (c.points[i] - c.points[(i + 1) % c.points.size()]).Norm();
+			if (kept.points.empty() || (p - kept.points.back()).Norm() > apart * snap_) kept.points.push_back(p);
+		}
+		while (kept.points.size() > 1 && (kept.points.front() - kept.points.back()).Norm() <= apart * snap_) kept.points.pop_back();
+		const double width = perimeter > 0 ? std::abs(TwiceSignedArea(c.points)) / perimeter : 0;
+		if (kept.points.size() < 3 || !(width >= leastStroke()))
+			throw Error(ErrorCode::TooFine, "a contour is finer than the coordinates").atLetter(c.letter).measured(width, leastStroke());
+	}
+	return out;
+}
+
+inline LabelPlan LabelPlanner::plan(const Outline& outline) const
+{
+	PlacementConflict conflict{"", {0, 0}};
+	for (int i = 0; i < mostAttempts; ++i) {
+		constexpr double golden = 2.399963229728653;  // radians; a spiral that never repeats a direction
+		const vcg::Point2d shift = vcg::Point2d(std::cos(golden * i), std::sin(golden * i)) * (shiftUlps * i * ulp_);
+		LabelPlan plan;
+		plan.attempts = i + 1;
+		plan.resolution = snapUlps * ulp_ + shift.Norm();
+		if (attempt(prepared(outline, shift), plan, conflict)) return plan;
+		report(10);
+	}
+	vcg::Point3d onPlane(conflict.place[0], conflict.place[1], 0);
+	throw Error(ErrorCode::TooFine, conflict.why).atPlace(space_.toMesh(onPlane)).measured(0, leastStroke());
+}
+
+inline bool LabelPlanner::attempt(const Outline& outline, LabelPlan& plan, PlacementConflict& conflict) const
+{
+	try {
+		const std::vector<int> seeds = FindSeeds(space_, sheet_, outline, snap_);
+		plan.cut = LabelCutter(space_, sheet_, snap_).cut(outline, seeds);
+		report(40);
+		measureSurface(plan);
+		checkRoom(plan);
+		report(60);
+		plan.patch = RaiseLabel(space_, sheet_, plan.cut, options_.height, options_.along);
+		const PatchVerdict verdict = check(plan.patch);
+		if (verdict.fault == PatchFault::Sound) return true;
+		conflict = {"rounded coordinates spoil the label", space_.project(space_.toLabel(verdict.place))};
+		if (options_.height != 0 && verdict.fault >= PatchFault::Folded) refuseHeight(plan, verdict);
+	} catch (const PlacementConflict& c) {
+		conflict = c;
+	}
+	return false;
+}
+
+inline void LabelPlanner::measureSurface(LabelPlan& plan) const
+{
+	std::vector<int> parents = plan.cut.within;
+	for (const CutTriangle& t : plan.cut.triangles)
+		if (t.side == Side::Inside) parents.push_back(t.parent);
+	std::sort(parents.begin(), parents.end());
+	parents.erase(std::unique(parents.begin(), parents.end()), parents.end());
+	for (const int t : parents) {
+		const auto& v = sheet_.triangles[size_t(t)].vertex;
+		const vcg::Point3d &a = sheet_.vertices[size_t(v[0])].label, &b = sheet_.vertices[size_t(v[1])].label,
+		                   &c = sheet_.vertices[size_t(v[2])].label, middle = (a + b + c) / 3;
+		const vcg::Point3d normal = (b - a) ^ (c - a);
+		const double cosine = normal * space_.towardsViewer(middle) / normal.Norm();
+		const double stretch = 1 / (cosine * space_.magnification(middle));
+		plan.stretch = std::max(plan.stretch, stretch);
+		if (!(stretch <= options_.maxStretch))
+			throw Error(ErrorCode::Grazing, "the surface is steep to the view").atFace(sheet_.triangles[size_t(t)].face).atPlace(space_.toMesh(middle)).measured(stretch, options_.maxStretch);
+	}
+	for (const IndexTriangle& t : detail::InsideTriangles(sheet_, plan.cut)) {
+		const vcg::Point3d& a = plan.cut.points[size_t(t[0])].label;
+		plan.surfaceArea += ((plan.cut.points[size_t(t[1])].label - a) ^ (plan.cut.points[size_t(t[2])].label - a)).Norm() / 2;
+	}
+}
+
+inline void LabelPlanner::checkRoom(LabelPlan& plan) const
+{
+	constexpr double margin = 2;  // of snap: what must stay of a wall
+	const Clearance clearance = MeasureClearance(space_, sheet_, plan.cut, snap_);
+	plan.room = clearance.behind;
+	const double left = clearance.behind + options_.height;
+	if (options_.along == ExtrudeAlong::Viewpoint && options_.height < 0 && left < margin * snap_)
+		throw Error(ErrorCode::HitsSurface, "the floor comes out behind").atFace(clearance.face).atPlace(clearance.place).measured(-options_.height, clearance.behind);
+}
+
+inline PatchVerdict LabelPlanner::check(const LabelPatch& patch) const
+{
+	return CheckPatch(space_, sheet_, patch, [this](double x) { return precision_.round(x); });
+}
+
+/// Find the largest height that works, for the message.
+inline void LabelPlanner::refuseHeight(const LabelPlan& plan, const PatchVerdict& verdict) const
+{
+	double works = 0, fails = 1;
+	for (int i = 0; i < bisections; ++i) {
+		report(60 + 3 * i);
+		const double middle = (works + fails) / 2;
+		const LabelPatch lower = RaiseLabel(space_, sheet_, plan.cut, options_.height * middle, options_.along);
+		(check(lower).fault == PatchFault::Sound ? works : fails) = middle;
+	}
+	if (works == 0) throw PlacementConflict{"rounded coordinates spoil the label", space_.project(space_.toLabel(verdict.place))};
+	const double height = std::abs(options_.height);
+	throw Error(verdict.fault == PatchFault::CrossesPart ? ErrorCode::HitsSurface : ErrorCode::HitsItself, "the extrusion meets a surface")
+	    .atFace(verdict.face).atPlace(verdict.place).measured(height, height * works);
+}
+
+}  // namespace vcg::textlabel

@@ -1,0 +1,150 @@
+#pragma once
+// The raise: inside regions leave the surface, walls join them to it.
+//
+// Source: Slabaugh et al., section 3.2, last paragraph: "we duplicate each point on each letter contour, and apply a small offset
+// either towards or away from the center of projection C". One copy stays on the surface, one goes with the inside; vertices of the
+// mesh that lie within a letter move with it. Towards the viewpoint the top can't fold: the order along each ray is kept.
+
+#include "label_cut.h"
+
+namespace vcg::textlabel {
+
+enum class ExtrudeAlong {
+	Viewpoint,     ///< along each ray, towards or away from C (the paper); along -w in parallel projection
+	LabelNormal,   ///< along the label's w
+	SurfaceNormal  ///< along the surface's normal, smoothed over the letter
+};
+
+enum class FaceKind : signed char { Outside, Top, Wall };
+
+/// A vertex that the label makes.
+struct PatchVertex {
+	vcg::Point3d mesh;             ///< mesh coordinates, not yet rounded
+	std::array<int, 3> parent;     ///< sheet vertices whose attributes it mixes
+	std::array<double, 3> weight;
+};
+
+/// A face that the label makes or changes.
+struct PatchFace {
+	IndexTriangle vertex;  ///< < #sheet vertices: that vertex; else sheet.vertices.size() + i: LabelPatch::vertices[i]
+	int parent;            ///< sheet triangle whose attributes it takes (its birth face)
+	FaceKind kind;
+};
+
+/// What a label changes in a mesh: replace the sheet triangles in `removed` by `faces`, and move some vertices.
+struct LabelPatch {
+	std::vector<PatchVertex> vertices;                  ///< new
+	std::vector<std::pair<int, vcg::Point3d>> moved;    ///< sheet vertices within letters, and where to
+	std::vector<PatchFace> faces;                       ///< for each removed triangle at least one has it as parent and is no wall
+	std::vector<int> removed;                           ///< sheet triangles, ascending
+	std::vector<int> contourTop;                        ///< #cut points: the raised copy of a contour point, or -1
+};
+
+/// Raise the inside of a cut label.
+/// @param[in] height  world units; > 0 towards the viewer, < 0 away, 0 leaves all in the surface
+/// @return a patch whose border is that of the triangles it replaces
+LabelPatch RaiseLabel(const LabelSpace& space, const Sheet& sheet, const CutLabel& cut, double height, ExtrudeAlong along);
+
+// ---------------------------------------------------------------------------------------------------------------------------
+
+namespace detail {
+
+/// Inside triangles of a cut, those cut up and those wholly within alike, as points of the cut.
+inline std::vector<IndexTriangle> InsideTriangles(const Sheet& sheet, const CutLabel& cut)
+{
+	std::vector<IndexTriangle> inside;
+	for (const CutTriangle& t : cut.triangles)
+		if (t.side == Side::Inside) inside.push_back(t.point);
+	for (const int t : cut.within) inside.push_back(sheet.triangles[size_t(t)].vertex);
+	return inside;
+}
+
+/// Unit normals of the letters' surface in label space, averaged over neighbours so that facets don't show; zero elsewhere.
+inline std::vector<vcg::Point3d> SmoothNormals(const CutLabel& cut, const std::vector<IndexTriangle>& inside)
+{
+	constexpr int rounds = 4;  // a noisy scan's normals settle; a flat face's do not change
+	std::vector<vcg::Point3d> normal(cut.points.size(), vcg::Point3d(0, 0, 0)), sum;
+	for (const IndexTriangle& t : inside) {
+		const vcg::Point3d& a = cut.points[size_t(t[0])].label;
+		const vcg::Point3d n = (cut.points[size_t(t[1])].label - a) ^ (cut.points[size_t(t[2])].label - a);
+		for (const int v : t) normal[size_t(v)] += n;
+	}
+	for (int round = 0; round <= rounds; ++round) {
+		for (vcg::Point3d& n : normal)
+			if (n.SquaredNorm() > 0) n /= n.Norm();
+		if (round == rounds) break;
+		sum = normal;
+		for (const IndexTriangle& t : inside) {
+			const vcg::Point3d all = normal[size_t(t[0])] + normal[size_t(t[1])] + normal[size_t(t[2])];
+			for (const int v : t) sum[size_t(v)] += all;
+		}
+		normal.swap(sum);
+	}
+	return normal;
+}
+
+}  // namespace detail
+
+inline LabelPatch RaiseLabel(const LabelSpace& space, const Sheet& sheet, const CutLabel& cut, double height, ExtrudeAlong along)
+{
+	LabelPatch patch;
+	const int old = int(sheet.vertices.size());
+	for (size_t i = size_t(old); i < cut.points.size(); ++i)
+		patch.vertices.push_back({cut.points[i].mesh, cut.points[i].parent, cut.points[i].weight});
+	patch.removed = cut.touched;
+	std::vector<int> top(cut.points.size());
+	for (size_t i = 0; i < top.size(); ++i) top[i] = int(i);
+	patch.contourTop.assign(cut.points.size(), -1);
+
+	const std::vector<IndexTriangle> inside = detail::InsideTriangles(sheet, cut);
+	if (height != 0) {
+		std::vector<vcg::Point3d> normal;
+		if (along == ExtrudeAlong::SurfaceNormal) normal = detail::SmoothNormals(cut, inside);
+		const auto raised = [&](int i) {
+			const CutPoint& p = cut.points[size_t(i)];
+			const vcg::Point3d direction = along == ExtrudeAlong::Viewpoint     ? space.towardsViewer(p.label)
+			                               : along == ExtrudeAlong::LabelNormal ? vcg::Point3d(0, 0, 1)
+			                                                                    : normal[size_t(i)];
+			return p.mesh + space.vectorToMesh(direction * height);
+		};
+		for (const ContourPiece& piece : cut.pieces) {  // each contour point is the start of one piece
+			const CutPoint& p = cut.points[size_t(piece.from)];
+			top[size_t(piece.from)] = old + int(patch.vertices.size());
+			patch.contourTop[size_t(piece.from)] = top[size_t(piece.from)];
+			patch.vertices.push_back({raised(piece.from), p.parent, p.weight});
+		}
+		std::vector<char> seen(size_t(old), 0);
+		for (const IndexTriangle& t : inside)
+			for (const int v : t)
+				if (v < old && top[size_t(v)] == v && !std::exchange(seen[size_t(v)], 1)) patch.moved.emplace_back(v, raised(v));
+		std::sort(patch.moved.begin(), patch.moved.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+	}
+	const auto topOf = [&](const IndexTriangle& t) { return IndexTriangle{top[size_t(t[0])], top[size_t(t[1])], top[size_t(t[2])]}; };
+	std::vector<std::array<int, 3>> besidePiece;  // from, to, parent: which inside triangle borders a contour piece
+	for (const CutTriangle& t : cut.triangles) {
+		if (t.side == Side::Outside) {
+			patch.faces.push_back({t.point, t.parent, FaceKind::Outside});
+			continue;
+		}
+		patch.faces.push_back({topOf(t.point), t.parent, FaceKind::Top});
+		for (size_t k = 0; k < 3; ++k) besidePiece.push_back({t.point[k], t.point[(k + 1) % 3], t.parent});
+	}
+	for (const int t : cut.within) {
+		const auto& v = sheet.triangles[size_t(t)].vertex;
+		patch.faces.push_back({topOf(v), t, FaceKind::Top});
+		for (size_t k = 0; k < 3; ++k) besidePiece.push_back({v[k], v[(k + 1) % 3], t});
+	}
+	patch.removed.insert(patch.removed.end(), cut.within.begin(), cut.within.end());
+	std::sort(patch.removed.begin(), patch.removed.end());
+	if (height == 0) return patch;
+	std::sort(besidePiece.begin(), besidePiece.end());
+	for (const ContourPiece& piece : cut.pieces) {
+		const auto beside = std::lower_bound(besidePiece.begin(), besidePiece.end(), std::array<int, 3>{piece.from, piece.to, -1});
+		const int parent = (*beside)[2], a = piece.from, b = piece.to, ta = top[size_t(a)], tb = top[size_t(b)];
+		patch.faces.push_back({{a, b, tb}, parent, FaceKind::Wall});
+		patch.faces.push_back({{a, tb, ta}, parent, FaceKind::Wall});
+	}
+	return patch;
+}
+
+}  // namespace vcg::textlabel

@@ -1,0 +1,159 @@
+#pragma once
+// The commit: write a finished patch into the mesh.
+//
+// All that can fail (memory) happens first; then slots of removed faces are taken by the new ones, the rest is appended. Faces that
+// the label does not touch keep index, vertices and attributes bit for bit; the old vertices keep theirs, but for those within a
+// raised letter, which move with it. Attributes of new vertices are mixed from the corners of the triangle in which they lie, new
+// faces take those of their birth face.
+
+#include "label_raise.h"
+
+#include <vcg/complex/complex.h>
+
+namespace vcg::textlabel {
+
+/// Where the faces of a patch went.
+struct CommitResult {
+	std::vector<int> faces;       ///< #LabelPatch::faces: index in the mesh
+	int firstNewVertex = 0;       ///< LabelPatch::vertices[i] is vertex firstNewVertex + i
+};
+
+/// Write a patch into a mesh.
+/// @throws Error{OutOfMemory}; the mesh is as it was
+template <class MeshType>
+CommitResult CommitPatch(MeshType& m, const LabelSpace& space, const Sheet& sheet, const LabelPatch& patch);
+
+// ---------------------------------------------------------------------------------------------------------------------------
+
+namespace detail {
+
+/// Grow a mesh by some vertices and faces, or leave it as it was.
+template <class MeshType>
+void GrowMesh(MeshType& m, size_t vertices, size_t faces)
+{
+	using Allocator = vcg::tri::Allocator<MeshType>;
+	const size_t oldVertices = m.vert.size(), oldFaces = m.face.size();
+	const int oldVn = m.vn, oldFn = m.fn;
+	const auto* base = m.vert.data();
+	try {
+		Allocator::AddVertices(m, vertices);
+		base = m.vert.data();
+		if (faces > 0) Allocator::AddFaces(m, faces);
+	} catch (const std::bad_alloc&) {
+		if (base != m.vert.data())  // moved, but the faces were not told
+			for (auto& f : m.face)
+				for (int k = 0; k < f.VN(); ++k) f.V(k) = m.vert.data() + (f.V(k) - base);
+		m.face.resize(oldFaces);
+		m.vert.resize(oldVertices);
+		m.vn = oldVn;
+		m.fn = oldFn;
+		throw Error(ErrorCode::OutOfMemory, "no memory for the label's faces");
+	}
+}
+
+template <class Value>
+auto Mix(const Value& a, const Value& b, const Value& c, const std::array<double, 3>& w)
+{
+	return double(a) * w[0] + double(b) * w[1] + double(c) * w[2];
+}
+
+/// Attributes of a new vertex from the three it lies between.
+template <class MeshType>
+void MixVertex(MeshType& m, const Sheet& sheet, const PatchVertex& from, typename MeshType::VertexType& to)
+{
+	const auto parent = [&](size_t i) -> typename MeshType::VertexType& { return m.vert[size_t(sheet.vertices[size_t(from.parent[i])].index)]; };
+	auto &a = parent(0), &b = parent(1), &c = parent(2);
+	to.ImportData(a);
+	using Scalar = typename MeshType::ScalarType;
+	to.P() = {Scalar(from.mesh[0]), Scalar(from.mesh[1]), Scalar(from.mesh[2])};
+	if (vcg::tri::HasPerVertexColor(m))
+		for (int i = 0; i < 4; ++i)
+			to.C()[i] = static_cast<unsigned char>(std::clamp(std::lround(Mix(a.cC()[i], b.cC()[i], c.cC()[i], from.weight)), 0L, 255L));
+	if (vcg::tri::HasPerVertexQuality(m))
+		to.Q() = static_cast<typename MeshType::VertexType::QualityType>(Mix(a.cQ(), b.cQ(), c.cQ(), from.weight));
+	if (vcg::tri::HasPerVertexTexCoord(m)) {
+		using Coordinate = typename MeshType::VertexType::TexCoordType::ScalarType;
+		to.T().u() = Coordinate(Mix(a.cT().u(), b.cT().u(), c.cT().u(), from.weight));
+		to.T().v() = Coordinate(Mix(a.cT().v(), b.cT().v(), c.cT().v(), from.weight));
+	}
+}
+
+/// How much of each corner of sheet triangle `parent` there is in a point of the patch.
+inline std::array<double, 3> CornerWeights(const Sheet& sheet, const LabelPatch& patch, int point, int parent)
+{
+	std::array<double, 3> w = {0, 0, 0};
+	const auto& corner = sheet.triangles[size_t(parent)].vertex;
+	const int old = int(sheet.vertices.size());
+	for (size_t k = 0; k < 3; ++k) {
+		if (point < old) {
+			w[k] = corner[k] == point ? 1 : 0;
+			continue;
+		}
+		const PatchVertex& v = patch.vertices[size_t(point - old)];
+		for (size_t i = 0; i < 3; ++i)
+			if (v.parent[i] == corner[k]) w[k] += v.weight[i];
+	}
+	return w;
+}
+
+/// The texture coordinates of a face's corners in their stored order.
+template <class FaceType>
+std::array<typename FaceType::TexCoordType, 3> WedgesOf(const FaceType& f)
+{
+	return {f.cWT(0), f.cWT(1), f.cWT(2)};
+}
+
+}  // namespace detail
+
+template <class MeshType>
+CommitResult CommitPatch(MeshType& m, const LabelSpace& space, const Sheet& sheet, const LabelPatch& patch)
+{
+	using Scalar = typename MeshType::ScalarType;
+	using FaceType = typename MeshType::FaceType;
+	CommitResult result;
+	result.firstNewVertex = int(m.vert.size());
+	const int old = int(sheet.vertices.size());
+	const size_t firstNewFace = m.face.size();
+	result.faces.resize(patch.faces.size());
+
+	// slots: the first piece of each removed face takes its place
+	std::vector<int> taken(sheet.triangles.size(), 0);
+	int appended = 0;
+	for (size_t i = 0; i < patch.faces.size(); ++i) {
+		const PatchFace& f = patch.faces[i];
+		const bool first = f.kind != FaceKind::Wall && !std::exchange(taken[size_t(f.parent)], 1);
+		result.faces[i] = first ? sheet.triangles[size_t(f.parent)].face : int(firstNewFace) + appended++;
+	}
+	detail::GrowMesh(m, patch.vertices.size(), size_t(appended));  // nothing below can fail
+
+	for (size_t i = 0; i < patch.vertices.size(); ++i)
+		detail::MixVertex(m, sheet, patch.vertices[i], m.vert[size_t(result.firstNewVertex) + i]);
+	for (const auto& [v, p] : patch.moved) m.vert[size_t(sheet.vertices[size_t(v)].index)].P() = {Scalar(p[0]), Scalar(p[1]), Scalar(p[2])};
+
+	const bool wedges = vcg::tri::HasPerWedgeTexCoord(m);
+	// the first piece overwrites its birth face, so it goes last
+	for (size_t i = patch.faces.size(); i-- > 0;) {
+		const PatchFace& f = patch.faces[i];
+		const FaceType& birth = m.face[size_t(sheet.triangles[size_t(f.parent)].face)];
+		FaceType& to = m.face[size_t(result.faces[i])];
+		if (&to != &birth) to.ImportData(birth);
+		const auto wedge = wedges ? detail::WedgesOf(birth) : decltype(detail::WedgesOf(birth)){};
+		const auto corner = [&](int k) { return space.mirrors() && k > 0 ? 3 - k : k; };
+		for (int k = 0; k < 3; ++k) {
+			const int point = f.vertex[size_t(k)];
+			const size_t index = point < old ? size_t(sheet.vertices[size_t(point)].index) : size_t(result.firstNewVertex + point - old);
+			to.V(corner(k)) = &m.vert[index];
+			if (!wedges) continue;
+			const std::array<double, 3> w = detail::CornerWeights(sheet, patch, point, f.parent);
+			auto& uv = to.WT(corner(k));
+			uv = wedge[0];
+			using Coordinate = std::decay_t<decltype(uv.u())>;
+			const auto &a = wedge[0], &b = wedge[size_t(corner(1))], &c = wedge[size_t(corner(2))];
+			uv.u() = Coordinate(detail::Mix(a.u(), b.u(), c.u(), w));
+			uv.v() = Coordinate(detail::Mix(a.v(), b.v(), c.v(), w));
+		}
+	}
+	return result;
+}
+
+}  // namespace vcg::textlabel

@@ -1,0 +1,177 @@
+#pragma once
+// Regions to triangles.
+//
+// GLU's tessellator does it, as in the paper (section 3.2). It must not add a vertex: a call of its combine callback means that a
+// region crosses itself, and is a conflict. GLU leaves needles, also flat ones between points that lie on one straight edge, so
+// edges inside a region are then flipped until the worst triangle can't be made better. Region borders are never flipped.
+
+#include "triangle_walk.h"
+
+#include <GL/glu.h>
+#include <array>
+#include <memory>
+#include <vcg/space/point3.h>
+
+namespace vcg::textlabel {
+
+/// A triangle of a region: indices of points.
+using IndexTriangle = std::array<int, 3>;
+
+class Tessellator {
+public:
+	Tessellator();
+
+	/// Triangulate one region.
+	/// @param[in] plane  points in the label plane: decides orientation
+	/// @param[in] space  the same points in space: decides shape, so that a steep triangle gets good triangles as well
+	/// @param[in] rings, first, count  the region's rings: outer counter-clockwise, holes clockwise
+	/// @param[out] triangles  counter-clockwise, appended; #corners + 2 #holes - 2 of them
+	/// @throws WalkConflict when the region crosses itself
+	void triangulate(const std::vector<vcg::Point2d>& plane, const std::vector<vcg::Point3d>& space, const PolylineSet& rings,
+	                 int first, int count, std::vector<IndexTriangle>& triangles);
+
+private:
+	using GluPointer = std::unique_ptr<GLUtesselator, void (*)(GLUtesselator*)>;
+	void runGlu(const std::vector<vcg::Point2d>& plane, const PolylineSet& rings, int first, int count);
+	void improve(const std::vector<vcg::Point2d>& plane, const std::vector<vcg::Point3d>& space);
+	void pairEdges();
+
+	GluPointer glu_;
+	std::vector<std::array<double, 3>> coordinates_;
+	std::vector<int> corners_;
+	std::vector<IndexTriangle> triangles_;
+	std::vector<int> twin_, pending_;
+	bool combined_ = false;
+};
+
+/// Shape of a triangle: height over longest edge, 0.87 for an equilateral one, negative when clockwise in the plane.
+inline double Shape(const std::vector<vcg::Point2d>& plane, const std::vector<vcg::Point3d>& space, int a, int b, int c)
+{
+	const vcg::Point3d &pa = space[size_t(a)], &pb = space[size_t(b)], &pc = space[size_t(c)];
+	const double longest = std::max({(pb - pa).SquaredNorm(), (pc - pb).SquaredNorm(), (pa - pc).SquaredNorm()});
+	const double area = ((pb - pa) ^ (pc - pa)).Norm();
+	const int side = Orient2d(plane[size_t(a)], plane[size_t(b)], plane[size_t(c)]);
+	return longest > 0 ? side * area / longest : 0;
+}
+
+// ---------------------------------------------------------------------------------------------------------------------------
+
+inline Tessellator::Tessellator() : glu_(gluNewTess(), gluDeleteTess)
+{
+	if (!glu_) throw std::bad_alloc();
+	using Callback = void (*)();
+	const auto vertex = +[](void* id, void* self) {
+		static_cast<Tessellator*>(self)->corners_.push_back(int(reinterpret_cast<std::intptr_t>(id)));
+	};
+	const auto combine = +[](GLdouble*, void** data, GLfloat*, void** out, void* self) {
+		static_cast<Tessellator*>(self)->combined_ = true;
+		*out = data[0];
+	};
+	const auto edgeFlag = +[](GLboolean, void*) {};  // asks GLU for plain triangles, no fans and strips
+	const auto error = +[](GLenum, void* self) { static_cast<Tessellator*>(self)->combined_ = true; };
+	gluTessCallback(glu_.get(), GLU_TESS_VERTEX_DATA, reinterpret_cast<Callback>(vertex));
+	gluTessCallback(glu_.get(), GLU_TESS_COMBINE_DATA, reinterpret_cast<Callback>(combine));
+	gluTessCallback(glu_.get(), GLU_TESS_EDGE_FLAG_DATA, reinterpret_cast<Callback>(edgeFlag));
+	gluTessCallback(glu_.get(), GLU_TESS_ERROR_DATA, reinterpret_cast<Callback>(error));
+	gluTessProperty(glu_.get(), GLU_TESS_WINDING_RULE, GLU_TESS_WINDING_POSITIVE);
+	gluTessNormal(glu_.get(), 0, 0, 1);
+}
+
+inline void Tessellator::runGlu(const std::vector<vcg::Point2d>& plane, const PolylineSet& rings, int first, int count)
+{
+	combined_ = false;
+	corners_.clear();
+	coordinates_.clear();
+	coordinates_.reserve(size_t(rings.end(first + count - 1) - rings.begin(first)));  // GLU keeps no copy before the end
+	gluTessBeginPolygon(glu_.get(), this);
+	for (int r = first; r < first + count; ++r) {
+		gluTessBeginContour(glu_.get());
+		for (const int* id = rings.begin(r); id != rings.end(r); ++id) {
+			const vcg::Point2d& p = plane[size_t(*id)];
+			coordinates_.push_back({p[0], p[1], 0});
+			gluTessVertex(glu_.get(), coordinates_.back().data(), reinterpret_cast<void*>(std::intptr_t(*id)));
+		}
+		gluTessEndContour(glu_.get());
+	}
+	gluTessEndPolygon(glu_.get());
+}
+
+inline void Tessellator::triangulate(const std::vector<vcg::Point2d>& plane, const std::vector<vcg::Point3d>& space,
+                                     const PolylineSet& rings, int first, int count, std::vector<IndexTriangle>& triangles)
+{
+	const int corners = int(rings.end(first + count - 1) - rings.begin(first)), expected = corners + 2 * (count - 1) - 2;
+	const int* ring = rings.begin(first);
+	if (corners == 3) {
+		triangles.push_back({ring[0], ring[1], ring[2]});
+		return;
+	}
+	runGlu(plane, rings, first, count);
+	if (combined_ || int(corners_.size()) != 3 * expected) throw WalkConflict{"a region crosses itself", ring[0]};
+	triangles_.clear();
+	for (size_t i = 0; i < corners_.size(); i += 3) triangles_.push_back({corners_[i], corners_[i + 1], corners_[i + 2]});
+	improve(plane, space);
+	triangles.insert(triangles.end(), triangles_.begin(), triangles_.end());
+}
+
+inline void Tessellator::pairEdges()
+{
+	struct Key {
+		int low, high, halfEdge;
+	};
+	std::vector<Key> keys;
+	for (int h = 0; h < int(triangles_.size()) * 3; ++h) {
+		const IndexTriangle& t = triangles_[size_t(h / 3)];
+		const int a = t[size_t(h % 3)], b = t[size_t((h + 1) % 3)];
+		keys.push_back({std::min(a, b), std::max(a, b), h});
+	}
+	std::sort(keys.begin(), keys.end(), [](const Key& x, const Key& y) {
+		return x.low != y.low ? x.low < y.low : x.high != y.high ? x.high < y.high : x.halfEdge < y.halfEdge;
+	});
+	twin_.assign(keys.size(), -1);
+	for (size_t i = 0; i + 1 < keys.size(); ++i) {
+		if (keys[i].low != keys[i + 1].low || keys[i].high != keys[i + 1].high) continue;
+		twin_[size_t(keys[i].halfEdge)] = keys[i + 1].halfEdge;
+		twin_[size_t(keys[i + 1].halfEdge)] = keys[i].halfEdge;
+	}
+}
+
+// Flip an edge when the worse of its two triangles gets better by it. The sorted list of shapes grows with each flip, so it ends.
+inline void Tessellator::improve(const std::vector<vcg::Point2d>& plane, const std::vector<vcg::Point3d>& space)
+{
+	constexpr double gain = 1e-6;  // of the shape; below it a flip is not worth it
+	pairEdges();
+	const auto next = [](int h) { return h % 3 == 2 ? h - 2 : h + 1; };
+	const auto corner = [&](int h) -> int& { return triangles_[size_t(h / 3)][size_t(h % 3)]; };
+	const auto join = [&](int g, int h) {
+		twin_[size_t(g)] = h;
+		if (h >= 0) twin_[size_t(h)] = g;
+	};
+	pending_.clear();
+	for (int h = 0; h < int(twin_.size()); ++h)
+		if (twin_[size_t(h)] > h) pending_.push_back(h);
+	while (!pending_.empty()) {
+		const int h = pending_.back(), g = twin_[size_t(h)];
+		pending_.pop_back();
+		if (g < 0) continue;
+		//      c            triangle of h: a b c, of g: b a d;  after the flip: d b c (in h's place) and c a d (in g's)
+		//    a   b
+		//      d
+		const int a = corner(h), b = corner(g), c = corner(next(next(h))), d = corner(next(next(g)));
+		const double before = std::min(Shape(plane, space, a, b, c), Shape(plane, space, b, a, d));
+		const double after = std::min(Shape(plane, space, d, b, c), Shape(plane, space, c, a, d));
+		if (!(after > 0 && after > before + gain)) continue;
+		const int bc = twin_[size_t(next(h))], ca = twin_[size_t(next(next(h)))], ad = twin_[size_t(next(g))],
+		          db = twin_[size_t(next(next(g)))];
+		const int t = h / 3 * 3, s = g / 3 * 3;
+		triangles_[size_t(t / 3)] = {d, b, c};
+		triangles_[size_t(s / 3)] = {c, a, d};
+		join(t, db);
+		join(t + 1, bc);
+		join(t + 2, s + 2);
+		join(s, ca);
+		join(s + 1, ad);
+		for (const int e : {t, t + 1, s, s + 1}) pending_.push_back(e);
+	}
+}
+
+}  // namespace vcg::textlabel

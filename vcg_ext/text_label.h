@@ -1,0 +1,157 @@
+#pragma once
+// TextLabel: cut a label into a triangle mesh, and raise it, sink it or leave it flat. The one header that a host includes.
+//
+// Source: G. Slabaugh, V. Mihalef, G. Unal, "A Contour-Based Approach to 3D Text Labeling on Triangulated Surfaces", 3DIM 2005.
+// The way of a label: contours in the label plane and a frame -> the candidates of the mesh (sheet.h) -> contours marched over them
+// (edge_march.h) -> triangles cut by the contour walk (triangle_walk.h, tessellate.h, label_cut.h) -> what lies before and behind
+// (label_clearance.h) -> raised (label_raise.h) -> checked on rounded coordinates (patch_check.h) -> written (patch_commit.h).
+// Until the last step the mesh is only read.
+
+#include "label_plan.h"
+#include "patch_commit.h"
+
+#include <type_traits>
+
+namespace vcg::textlabel {
+
+struct LabelResult {
+	std::vector<int> topFaces;      ///< faces of the letters: tops, floors, or flat
+	std::vector<int> wallFaces;     ///< faces between them and the surface
+	std::vector<int> outsideFaces;  ///< pieces of cut triangles outside the letters
+	int touchedFaces = 0;           ///< triangles of the mesh that were cut, or lie within a letter
+	int newVertices = 0, newFaces = 0;
+	int firstNewVertex = 0;         ///< index of the first new vertex; the rest follow
+	double labelArea = 0;           ///< in the label plane, world units squared
+	double surfaceArea = 0;         ///< of the letters on the surface before raising, world units squared
+	double addedVolume = 0;         ///< after minus before, mesh units cubed
+	double stretch = 1;             ///< largest ratio of surface length to label length under the letters
+	double room = 0;                ///< to the next surface behind the letters along the rays, world units; infinite if none
+	double resolution = 0;          ///< world units: no point of a contour was moved by more
+	int attempts = 1;               ///< placements tried within the resolution
+	bool survivesFloat32 = true;    ///< false: a double mesh whose letters only double coordinates carry
+};
+
+/// Put a label on a mesh.
+/// @param[in,out] m  triangles; untouched when an Error is thrown
+/// @param[in] outline  simple, disjoint, nested contours in the label plane (contour.h)
+/// @param[in] frame  where the label plane lies and from where it is projected
+/// @post  same topology class; the surface outside the letters is the same set of points; faces that no letter touches are the same
+///        bit for bit; valid also after rounding to float32 and merging equal points, unless survivesFloat32 says otherwise
+/// @throws Error
+template <class MeshType>
+LabelResult LabelMesh(MeshType& m, const Outline& outline, const LabelFrame& frame, const LabelOptions& options = {});
+
+// ---------------------------------------------------------------------------------------------------------------------------
+
+namespace detail {
+
+inline PlaneBox CheckedBox(const Outline& outline)
+{
+	PlaneBox box;
+	for (const Contour& c : outline.contours) {
+		if (c.points.size() < 3) throw Error(ErrorCode::BadContour, "fewer than three points").atLetter(c.letter);
+		for (const vcg::Point2d& p : c.points) {
+			if (!std::isfinite(p[0]) || !std::isfinite(p[1])) throw Error(ErrorCode::BadContour, "a point is not finite").atLetter(c.letter);
+			box.add(p);
+		}
+	}
+	if (outline.contours.empty()) throw Error(ErrorCode::EmptyLabel, "no contour");
+	return box;
+}
+
+/// Six times the volume between two sets of faces with the same border, about one of their points.
+inline double VolumeChange(const Sheet& sheet, const LabelPatch& patch, bool mirrors)
+{
+	const auto position = RoundedPositions(sheet, patch, [](double x) { return x; });
+	const vcg::Point3d origin = sheet.vertices[size_t(sheet.triangles[size_t(patch.removed[0])].vertex[0])].mesh;
+	double sum = 0;
+	for (const PatchFace& f : patch.faces) {
+		const Corners c = CornersOf(position, f.vertex);
+		sum += (c[0] - origin) * ((c[1] - origin) ^ (c[2] - origin));
+	}
+	for (const int t : patch.removed) {
+		const auto& v = sheet.triangles[size_t(t)].vertex;
+		const auto at = [&](size_t k) { return sheet.vertices[size_t(v[k])].mesh - origin; };
+		sum -= at(0) * (at(1) ^ at(2));
+	}
+	return (mirrors ? -sum : sum) / 6;
+}
+
+/// The letter of a place that went wrong: that of the contour whose points come nearest to it.
+inline int NearestLetter(const LabelSpace& space, const Outline& outline, const vcg::Point3d& mesh)
+{
+	const vcg::Point2d p = space.project(space.toLabel(mesh));
+	double nearest = std::numeric_limits<double>::infinity();
+	int letter = -1;
+	for (const Contour& c : outline.contours)
+		for (const vcg::Point2d& q : c.points)
+			if ((q - p).SquaredNorm() < nearest) {
+				nearest = (q - p).SquaredNorm();
+				letter = c.letter;
+			}
+	return letter;
+}
+
+template <class MeshType>
+void RequireTriangles(const MeshType& m, const Sheet& sheet, const LabelPatch& patch)
+{
+	for (const int t : patch.removed) {
+		const int face = sheet.triangles[size_t(t)].face;
+		for (int k = 0; k < 3; ++k)
+			if (m.face[size_t(face)].IsF(k)) throw Error(ErrorCode::NotTriangles, "a polygon with faux edges").atFace(face);
+	}
+}
+
+}  // namespace detail
+
+template <class MeshType>
+LabelResult LabelMesh(MeshType& m, const Outline& outline, const LabelFrame& frame, const LabelOptions& options)
+{
+	if (m.vn == 0 || m.fn == 0) throw Error(ErrorCode::EmptyMesh, "no faces");
+	if (!std::isfinite(options.height)) throw Error(ErrorCode::BadHeight, "height is not finite");
+	const LabelSpace space(frame);
+	PlaneBox box = detail::CheckedBox(outline);
+	box.grow(std::abs(options.height) + (box.width() + box.height()) * 1e-3);
+	const Sheet sheet = CollectSheet(m, space, box);
+
+	constexpr bool isDouble = std::is_same_v<typename MeshType::ScalarType, double>;
+	LabelPlan plan;
+	bool survivesFloat32 = true;
+	try {
+		try {
+			plan = LabelPlanner(space, sheet, Precision{true}, options).plan(outline);
+		} catch (const Error& e) {
+			if (!isDouble || e.code != ErrorCode::TooFine) throw;
+			plan = LabelPlanner(space, sheet, Precision{false}, options).plan(outline);
+			survivesFloat32 = false;
+		}
+	} catch (Error& e) {
+		if (e.letter < 0 && e.hasPlace) e.letter = detail::NearestLetter(space, outline, e.place);
+		throw;
+	}
+	detail::RequireTriangles(m, sheet, plan.patch);
+
+	LabelResult result;
+	result.addedVolume = detail::VolumeChange(sheet, plan.patch, space.mirrors());
+	result.survivesFloat32 = survivesFloat32;
+	result.labelArea = plan.cut.insideArea;
+	result.surfaceArea = plan.surfaceArea;
+	result.stretch = plan.stretch;
+	result.room = plan.room;
+	result.resolution = plan.resolution;
+	result.attempts = plan.attempts;
+	result.touchedFaces = int(plan.patch.removed.size());
+	result.newVertices = int(plan.patch.vertices.size());
+	result.newFaces = int(plan.patch.faces.size() - plan.patch.removed.size());
+	for (std::vector<int>* list : {&result.topFaces, &result.wallFaces, &result.outsideFaces}) list->reserve(plan.patch.faces.size());
+	if (options.progress && !options.progress(95)) throw Error(ErrorCode::Cancelled, "the caller said stop");
+	const CommitResult commit = CommitPatch(m, space, sheet, plan.patch);
+	result.firstNewVertex = commit.firstNewVertex;
+	for (size_t i = 0; i < plan.patch.faces.size(); ++i) {
+		const FaceKind kind = plan.patch.faces[i].kind;
+		(kind == FaceKind::Top ? result.topFaces : kind == FaceKind::Wall ? result.wallFaces : result.outsideFaces).push_back(commit.faces[i]);
+	}
+	return result;
+}
+
+}  // namespace vcg::textlabel
