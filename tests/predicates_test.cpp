@@ -32,7 +32,7 @@ template <class Int>
 Int Determinant3(const std::array<std::array<Int, 3>, 3>& r)
 {
 	return r[0][0] * (r[1][1] * r[2][2] - r[1][2] * r[2][1]) - r[0][1] * (r[1][0] * r[2][2] - r[1][2] * r[2][0]) +
-		r[0][2] * (r[1][0] * r[2][1] - r[1][1] * r[2][0]);
+	       r[0][2] * (r[1][0] * r[2][1] - r[1][1] * r[2][0]);
 }
 
 template <class Int>

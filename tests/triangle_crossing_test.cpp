@@ -61,7 +61,8 @@ Contact ContactInFractions(const Grid& ga, const Grid& gb)
 	oracle::Point middle{};
 	for (const auto& p : common) middle = middle + p * oracle::Fraction(1, static_cast<oracle::Wide>(common.size()));
 	const bool coplanar = oracle::IsZero(oracle::Cross(oracle::Normal(a), oracle::Normal(b)));
-	if (oracle::IsInside(middle, a) && oracle::IsInside(middle, b)) return coplanar ? Contact::Overlaps : Contact::Crosses;
+	if (oracle::IsInside(middle, a) && oracle::IsInside(middle, b))
+		return coplanar ? Contact::Overlaps : Contact::Crosses;
 	for (const auto& p : common)
 		if (!IsShared(p, shared)) return Contact::Touches;
 	return Contact::SharesOnly;
@@ -112,7 +113,7 @@ TEST(Contact, EqualsFractionsOnGrids)
 		ASSERT_EQ(found, ContactInFractions(a, b)) << Describe(a, b);
 	}
 	for (const Contact c : {Contact::Disjoint, Contact::SharesOnly, Contact::NoArea, Contact::Touches, Contact::Crosses,
-			Contact::Overlaps})
+	                        Contact::Overlaps})
 		EXPECT_GT(seen[c], 500) << Name(c);
 }
 

@@ -28,16 +28,16 @@ struct CrossingOptions {
 
 /// Two faces that cross.
 struct FacePair {
-	int first = -1;                        ///< index into `faces`
-	int second = -1;                       ///< index into `faces`, greater than `first`, or into `others`
-	bool secondIsOther = false;            ///< which of the two
-	Contact contact = Contact::Disjoint;   ///< Touches, Crosses or Overlaps
+	int first = -1;                       ///< index into `faces`
+	int second = -1;                      ///< index into `faces`, greater than `first`, or into `others`
+	bool secondIsOther = false;           ///< which of the two
+	Contact contact = Contact::Disjoint;  ///< Touches, Crosses or Overlaps
 };
 
 inline bool operator<(const FacePair& a, const FacePair& b)
 {
 	return std::make_pair(a.secondIsOther, std::make_pair(a.first, a.second)) <
-		std::make_pair(b.secondIsOther, std::make_pair(b.first, b.second));
+	       std::make_pair(b.secondIsOther, std::make_pair(b.first, b.second));
 }
 
 /// The pairs that cross, faces × faces and faces × others; others among themselves are not looked at.
@@ -46,13 +46,13 @@ inline bool operator<(const FacePair& a, const FacePair& b)
 /// @param[in] others  #O triangles
 /// @return pairs for which IsCrossing holds, in ascending order (faces × faces first): the same on every run
 std::vector<FacePair> FindCrossings(const std::vector<Corners>& faces, const std::vector<Corners>& others = {},
-	const CrossingOptions& options = {});
+                                    const CrossingOptions& options = {});
 
 /// The same for indexed faces.
 /// @param[in] positions      #V points
 /// @param[in] faces, others  #F, #O by 3 indices of positions
 std::vector<FacePair> FindCrossings(const std::vector<vcg::Point3d>& positions, const std::vector<Face>& faces,
-	const std::vector<Face>& others = {}, const CrossingOptions& options = {});
+                                    const std::vector<Face>& others = {}, const CrossingOptions& options = {});
 
 namespace detail {
 
@@ -76,7 +76,7 @@ struct SearchBox {
 	bool meets(const SearchBox& b) const
 	{
 		return low[0] <= b.high[0] && b.low[0] <= high[0] && low[1] <= b.high[1] && b.low[1] <= high[1] &&
-			low[2] <= b.high[2] && b.low[2] <= high[2];
+		       low[2] <= b.high[2] && b.low[2] <= high[2];
 	}
 };
 
@@ -179,7 +179,8 @@ private:
 	}
 
 	std::vector<Item> items;
-	std::vector<std::vector<SearchBox>> levels;  ///< node i of a level covers nodes 2i and 2i+1 of the one below; 0: the leaves
+	std::vector<std::vector<SearchBox>>
+		levels;  ///< node i of a level covers nodes 2i and 2i+1 of the one below; 0: the leaves
 };
 
 /// Descends two trees, or one against itself, and hands every pair of faces whose boxes meet to `visit(faceA, faceB)`, which
@@ -187,7 +188,9 @@ private:
 template <class Visit>
 class PairDescent {
 public:
-	PairDescent(const FaceTree& first, const FaceTree& second, const Visit& visitor) : a(first), b(second), visit(visitor) {}
+	PairDescent(const FaceTree& first, const FaceTree& second, const Visit& visitor)
+		: a(first), b(second), visit(visitor)
+	{}
 
 	bool run()
 	{
@@ -244,7 +247,7 @@ private:
 /// The search itself, whatever the faces are stored in.
 template <class CornersOf, class OtherCornersOf>
 std::vector<FacePair> FindCrossingsOf(size_t count, const CornersOf& cornersOf, size_t otherCount,
-	const OtherCornersOf& otherCornersOf, const CrossingOptions& options)
+                                      const OtherCornersOf& otherCornersOf, const CrossingOptions& options)
 {
 	std::vector<FacePair> pairs;
 	const auto judge = [&](int i, int j, bool isOther, const Corners& second) {
@@ -270,7 +273,7 @@ std::vector<FacePair> FindCrossingsOf(size_t count, const CornersOf& cornersOf, 
 }  // namespace detail
 
 inline std::vector<FacePair> FindCrossings(const std::vector<Corners>& faces, const std::vector<Corners>& others,
-	const CrossingOptions& options)
+                                           const CrossingOptions& options)
 {
 	return detail::FindCrossingsOf(
 		faces.size(), [&](size_t i) -> const Corners& { return faces[i]; }, others.size(),
@@ -278,10 +281,11 @@ inline std::vector<FacePair> FindCrossings(const std::vector<Corners>& faces, co
 }
 
 inline std::vector<FacePair> FindCrossings(const std::vector<vcg::Point3d>& positions, const std::vector<Face>& faces,
-	const std::vector<Face>& others, const CrossingOptions& options)
+                                           const std::vector<Face>& others, const CrossingOptions& options)
 {
 	const auto cornersOf = [&positions](const Face& f) -> Corners {
-		return {positions[static_cast<size_t>(f[0])], positions[static_cast<size_t>(f[1])], positions[static_cast<size_t>(f[2])]};
+		return {positions[static_cast<size_t>(f[0])], positions[static_cast<size_t>(f[1])],
+		        positions[static_cast<size_t>(f[2])]};
 	};
 	return detail::FindCrossingsOf(
 		faces.size(), [&](size_t i) { return cornersOf(faces[i]); }, others.size(),

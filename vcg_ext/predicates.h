@@ -25,7 +25,8 @@
 
 namespace vcg::textlabel {
 
-static_assert(std::numeric_limits<double>::is_iec559 && std::numeric_limits<double>::digits == 53, "needs IEEE doubles");
+static_assert(std::numeric_limits<double>::is_iec559 && std::numeric_limits<double>::digits == 53,
+              "needs IEEE doubles");
 static_assert(FLT_EVAL_METHOD == 0, "needs doubles that are not kept in wider registers");
 
 /// Side of the line a→b on which c lies.
@@ -105,7 +106,9 @@ void AddInto(const Expansion<N>& e, const Expansion<M>& f, Expansion<H>& h)
 {
 	size_t i = 0, j = 0;
 	const size_t en = static_cast<size_t>(e.n), fn = static_cast<size_t>(f.n);
-	const auto next = [&] { return j == fn || (i < en && std::fabs(e.x[i]) < std::fabs(f.x[j])) ? e.x[i++] : f.x[j++]; };
+	const auto next = [&] {
+		return j == fn || (i < en && std::fabs(e.x[i]) < std::fabs(f.x[j])) ? e.x[i++] : f.x[j++];
+	};
 	if (en + fn == 0) return;
 	double q = next();
 	for (size_t k = 1; k < en + fn; ++k) {
@@ -211,8 +214,9 @@ inline int Orient3d(const vcg::Point3d& a, const vcg::Point3d& b, const vcg::Poi
 	const double adx = d[0] - a[0], ady = d[1] - a[1], adz = d[2] - a[2];
 	const double yz = aby * acz, zy = abz * acy, zx = abz * acx, xz = abx * acz, xy = abx * acy, yx = aby * acx;
 	const double det = (yz - zy) * adx + (zx - xz) * ady + (xy - yx) * adz;
-	const double size = (std::fabs(yz) + std::fabs(zy)) * std::fabs(adx) + (std::fabs(zx) + std::fabs(xz)) * std::fabs(ady) +
-		(std::fabs(xy) + std::fabs(yx)) * std::fabs(adz);
+	const double size = (std::fabs(yz) + std::fabs(zy)) * std::fabs(adx) +
+	                    (std::fabs(zx) + std::fabs(xz)) * std::fabs(ady) +
+	                    (std::fabs(xy) + std::fabs(yx)) * std::fabs(adz);
 	const double bound = detail::kOrient3dError * size;
 	if (det > bound || -det > bound || size == 0) return detail::Sign(det);
 	return detail::Orient3dExact(a, b, c, d);
@@ -226,7 +230,7 @@ inline int InCircle2d(const vcg::Point2d& a, const vcg::Point2d& b, const vcg::P
 	const double aLift = adx * adx + ady * ady, bLift = bdx * bdx + bdy * bdy, cLift = cdx * cdx + cdy * cdy;
 	const double det = aLift * (bc - cb) + bLift * (ca - ac) + cLift * (ab - ba);
 	const double size = aLift * (std::fabs(bc) + std::fabs(cb)) + bLift * (std::fabs(ca) + std::fabs(ac)) +
-		cLift * (std::fabs(ab) + std::fabs(ba));
+	                    cLift * (std::fabs(ab) + std::fabs(ba));
 	const double bound = detail::kInCircleError * size;
 	if (det > bound || -det > bound || size == 0) return detail::Sign(det);
 	return detail::InCircle2dExact(a, b, c, d);

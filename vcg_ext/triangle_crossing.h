@@ -24,10 +24,10 @@ using Corners = std::array<vcg::Point3d, 3>;
 enum class Contact {
 	Disjoint,    ///< no common point
 	SharesOnly,  ///< a common corner or edge and nothing beyond it
-	NoArea,      ///< one of them is collinear: it has no inside to cross, and the neighbours along its edges tell of the place
-	Touches,     ///< common points beyond what is shared, none of them inside both triangles
-	Crosses,     ///< not coplanar, and points inside the one are inside the other
-	Overlaps     ///< coplanar, and an area in common: folded onto one another, or the same face twice
+	NoArea,  ///< one of them is collinear: it has no inside to cross, and the neighbours along its edges tell of the place
+	Touches,  ///< common points beyond what is shared, none of them inside both triangles
+	Crosses,  ///< not coplanar, and points inside the one are inside the other
+	Overlaps  ///< coplanar, and an area in common: folded onto one another, or the same face twice
 };
 
 /// Whether a contact is a fault of the surface; triangles without area are a fault of another kind.
@@ -139,7 +139,7 @@ using Sides = std::array<int, 3>;
 inline Sides SidesOf(const Corners& plane, const Corners& t)
 {
 	return {Orient3d(plane[0], plane[1], plane[2], t[0]), Orient3d(plane[0], plane[1], plane[2], t[1]),
-		Orient3d(plane[0], plane[1], plane[2], t[2])};
+	        Orient3d(plane[0], plane[1], plane[2], t[2])};
 }
 
 inline bool AllZero(const Sides& s) { return s[0] == 0 && s[1] == 0 && s[2] == 0; }
@@ -186,7 +186,8 @@ inline Contact SpatialContact(Corners a, Corners b, const Sides& sidesA, const S
 	const int first = -Orient3d(a[0], a[1], b[0], b[1]);
 	if (first < 0 || (first == 0 && sharedCount > 0)) return sharedCount > 0 ? Contact::SharesOnly : Contact::Disjoint;
 	const int second = Orient3d(a[0], a[2], b[0], b[2]);
-	if (second < 0 || (second == 0 && sharedCount > 0)) return sharedCount > 0 ? Contact::SharesOnly : Contact::Disjoint;
+	if (second < 0 || (second == 0 && sharedCount > 0))
+		return sharedCount > 0 ? Contact::SharesOnly : Contact::Disjoint;
 	const bool insides = first > 0 && second > 0 && Straddles(sidesA) && Straddles(sidesB);
 	return insides ? Contact::Crosses : Contact::Touches;
 }
