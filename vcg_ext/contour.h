@@ -12,15 +12,15 @@ namespace vcg::textlabel {
 
 /// One closed polyline in the label plane; the last point is joined to the first.
 struct Contour {
-	std::vector<vcg::Point2d> points;   ///< #P by 2, label units, u to the right, v up; no point repeated
-	int part = 0;                       ///< which part of the label: an outer contour and its holes share it
-	int letter = 0;                     ///< which letter of the text it came from (index of the cluster), for messages
+	std::vector<vcg::Point2d> points;  ///< #P by 2, label units, u to the right, v up; no point repeated
+	int part = 0;                      ///< which part of the label: an outer contour and its holes share it
+	int letter = 0;                    ///< which letter of the text it came from (index of the cluster), for messages
 };
 
 /// The silhouette of a whole label: simple, pairwise disjoint, correctly nested contours.
 struct Outline {
 	std::vector<Contour> contours;
-	int partCount = 0;                  ///< parts are numbered 0 .. partCount-1
+	int partCount = 0;  ///< parts are numbered 0 .. partCount-1
 };
 
 /// Twice the signed area of a closed polyline; positive when counter-clockwise.

@@ -75,8 +75,9 @@ struct SearchBox {
 	}
 	bool meets(const SearchBox& b) const
 	{
-		return low[0] <= b.high[0] && b.low[0] <= high[0] && low[1] <= b.high[1] && b.low[1] <= high[1] &&
-		       low[2] <= b.high[2] && b.low[2] <= high[2];
+		// all six comparisons at once: which of them fails is not to be predicted
+		return (low[0] <= b.high[0]) & (b.low[0] <= high[0]) & (low[1] <= b.high[1]) & (b.low[1] <= high[1]) &
+		       (low[2] <= b.high[2]) & (b.low[2] <= high[2]);
 	}
 };
 
@@ -233,9 +234,11 @@ private:
 
 	bool Leaves(size_t i, size_t j)
 	{
-		for (const auto* p = a.leafBegin(i); p != a.leafEnd(i); ++p)
+		for (const auto* p = a.leafBegin(i); p != a.leafEnd(i); ++p) {
+			if (!p->box.meets(b.box(0, j))) continue;
 			for (const auto* q = b.leafBegin(j); q != b.leafEnd(j); ++q)
 				if (p->box.meets(q->box) && !visit(p->face, q->face)) return false;
+		}
 		return true;
 	}
 

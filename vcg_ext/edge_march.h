@@ -117,10 +117,8 @@ inline bool EdgeMarch::settle(int t, const vcg::Point2d& p, PathNode& node) cons
 		}
 		inside = inside && Orient2d(a, b, p) > 0;
 	}
-	if (onEdge.where >= 0)
-		node = onEdge;
-	else if (inside)
-		node = {PathNode::InFace, t, 0, p, t};
+	if (onEdge.where >= 0) node = onEdge;
+	else if (inside) node = {PathNode::InFace, t, 0, p, t};
 	return inside || onEdge.where >= 0;
 }
 
@@ -146,9 +144,10 @@ inline void EdgeMarch::leave(int h, const PathNode& node) const
 	const ErrorCode code = twin == BorderEdge        ? ErrorCode::Border
 	                       : twin == NonManifoldEdge ? ErrorCode::NonManifold
 	                                                 : ErrorCode::Silhouette;
-	const vcg::Point3d &a = sheet_.vertices[size_t(sheet_.from(h))].mesh, &b = sheet_.vertices[size_t(sheet_.to(h))].mesh;
-	const vcg::Point3d place = node.kind == PathNode::OnVertex ? sheet_.vertices[size_t(node.where)].mesh
-	                                                           : a + (b - a) * node.along;
+	const vcg::Point3d &a = sheet_.vertices[size_t(sheet_.from(h))].mesh,
+					   &b = sheet_.vertices[size_t(sheet_.to(h))].mesh;
+	const vcg::Point3d place =
+		node.kind == PathNode::OnVertex ? sheet_.vertices[size_t(node.where)].mesh : a + (b - a) * node.along;
 	throw Error(code, "the contour leaves the sheet").atFace(sheet_.triangles[size_t(h / 3)].face).atPlace(place);
 }
 
@@ -174,7 +173,8 @@ inline bool EdgeMarch::stepFromFace(const PathNode& node, const vcg::Point2d& ta
 		}
 		side[k] = Orient2d(node.plane, target, sheet_.plane(v[k]));
 	}
-	for (size_t k = 0; k < 3; ++k)  // the line leaves through the edge whose start is on its right and whose end on its left
+	for (size_t k = 0; k < 3;
+	     ++k)  // the line leaves through the edge whose start is on its right and whose end on its left
 		if (side[k] < 0 && side[(k + 1) % 3] > 0) {
 			next = crossing(3 * t + int(k), node.plane, target);
 			return false;
@@ -252,7 +252,8 @@ inline bool EdgeMarch::stepFromVertex(const PathNode& node, const vcg::Point2d& 
 
 inline bool EdgeMarch::lieOn(int halfEdge, const PathNode& node) const
 {
-	if (node.kind == PathNode::OnVertex) return node.where == sheet_.from(halfEdge) || node.where == sheet_.to(halfEdge);
+	if (node.kind == PathNode::OnVertex)
+		return node.where == sheet_.from(halfEdge) || node.where == sheet_.to(halfEdge);
 	return node.kind == PathNode::OnEdge && node.where == sheet_.canonical(halfEdge);
 }
 
@@ -309,10 +310,8 @@ inline void EdgeMarch::removeSpikes(std::vector<PathNode>& nodes) const
 {
 	std::vector<PathNode> kept;
 	for (const PathNode& node : nodes) {
-		if (kept.size() >= 2 && areSame(kept[kept.size() - 2], node))
-			kept.pop_back();
-		else if (kept.empty() || !areSame(kept.back(), node))
-			kept.push_back(node);
+		if (kept.size() >= 2 && areSame(kept[kept.size() - 2], node)) kept.pop_back();
+		else if (kept.empty() || !areSame(kept.back(), node)) kept.push_back(node);
 	}
 	for (bool changed = true; changed && kept.size() >= 3;) {  // and across the seam of the closed chain
 		const size_t n = kept.size();

@@ -11,9 +11,10 @@ namespace vcg::textlabel {
 
 /// The nearest other surface behind the letters along the rays, and where.
 struct Clearance {
-	double behind = std::numeric_limits<double>::infinity();  ///< world units along the ray; infinite when nothing is there
-	vcg::Point3d place{0, 0, 0};                              ///< mesh coordinates, on the label's surface
-	int face = -1;                                            ///< the mesh's face behind
+	double behind =
+		std::numeric_limits<double>::infinity();  ///< world units along the ray; infinite when nothing is there
+	vcg::Point3d place{0, 0, 0};                  ///< mesh coordinates, on the label's surface
+	int face = -1;                                ///< the mesh's face behind
 };
 
 /// Measure the room behind the letters and check that nothing hides them.
@@ -85,7 +86,9 @@ public:
 	template <class Use>
 	void query(const PlaneBox& box, int round, Use&& use)
 	{
-		if (box.high[0] < box_.low[0] || box.low[0] > box_.high[0] || box.high[1] < box_.low[1] || box.low[1] > box_.high[1]) return;
+		if (box.high[0] < box_.low[0] || box.low[0] > box_.high[0] || box.high[1] < box_.low[1] ||
+		    box.low[1] > box_.high[1])
+			return;
 		visitCells(box, [&](int cell) {
 			for (int i = start_[size_t(cell)]; i < start_[size_t(cell) + 1]; ++i)
 				if (std::exchange(seen_[size_t(member_[size_t(i)])], round) != round) use(member_[size_t(i)]);
@@ -101,7 +104,9 @@ private:
 	template <class Use>
 	void visitCells(const PlaneBox& box, Use&& use) const
 	{
-		const auto clamped = [&](double x, int axis) { return cellOf(std::clamp(x, box_.low[axis], box_.high[axis]), axis); };
+		const auto clamped = [&](double x, int axis) {
+			return cellOf(std::clamp(x, box_.low[axis], box_.high[axis]), axis);
+		};
 		for (int y = clamped(box.low[1], 1); y <= clamped(box.high[1], 1); ++y)
 			for (int x = clamped(box.low[0], 0); x <= clamped(box.high[0], 0); ++x) use(y * side_ + x);
 	}
@@ -129,7 +134,8 @@ inline Clearance MeasureClearance(const LabelSpace& space, const Sheet& sheet, c
 	const auto pointOn = [&](int triangle, const vcg::Point2d& p) {
 		const vcg::Point3d w = SpaceWeights(space, sheet, triangle, p);
 		vcg::Point3d q(0, 0, 0);
-		for (int k = 0; k < 3; ++k) q += sheet.vertices[size_t(sheet.triangles[size_t(triangle)].vertex[size_t(k)])].label * w[k];
+		for (int k = 0; k < 3; ++k)
+			q += sheet.vertices[size_t(sheet.triangles[size_t(triangle)].vertex[size_t(k)])].label * w[k];
 		return q;
 	};
 	detail::TriangleGrid grid(cut, inside);
@@ -159,8 +165,11 @@ inline Clearance MeasureClearance(const LabelSpace& space, const Sheet& sheet, c
 				place = q;
 			}
 			if (least + most < 0)
-				throw Error(ErrorCode::Occluded, "a surface in front of the label").atFace(sheet.triangles[size_t(t)].face).atPlace(space.toMesh(place));
-			if (least < clearance.behind) clearance = {std::max(least, 0.0), space.toMesh(place), sheet.triangles[size_t(t)].face};
+				throw Error(ErrorCode::Occluded, "a surface in front of the label")
+					.atFace(sheet.triangles[size_t(t)].face)
+					.atPlace(space.toMesh(place));
+			if (least < clearance.behind)
+				clearance = {std::max(least, 0.0), space.toMesh(place), sheet.triangles[size_t(t)].face};
 		});
 	}
 	return clearance;

@@ -15,11 +15,11 @@ namespace vcg::textlabel {
 
 /// A point of the cut sheet: one of its vertices, or new.
 struct CutPoint {
-	vcg::Point2d plane;               ///< label plane
-	vcg::Point3d label;               ///< label space
-	vcg::Point3d mesh;                ///< mesh coordinates, not yet rounded
-	std::array<int, 3> parent;        ///< sheet vertices it is a mixture of
-	std::array<double, 3> weight;     ///< in space; sum to 1
+	vcg::Point2d plane;            ///< label plane
+	vcg::Point3d label;            ///< label space
+	vcg::Point3d mesh;             ///< mesh coordinates, not yet rounded
+	std::array<int, 3> parent;     ///< sheet vertices it is a mixture of
+	std::array<double, 3> weight;  ///< in space; sum to 1
 };
 
 /// A triangle of the cut sheet.
@@ -35,18 +35,20 @@ struct ContourPiece {
 };
 
 struct CutLabel {
-	std::vector<CutPoint> points;          ///< #V sheet vertices first, in their order, then the new ones
-	std::vector<CutTriangle> triangles;    ///< what replaces the sheet triangles in `touched`
-	std::vector<int> touched;              ///< sheet triangles that are cut up, ascending
-	std::vector<int> within;               ///< sheet triangles that lie wholly within a letter and are not cut, ascending
+	std::vector<CutPoint> points;        ///< #V sheet vertices first, in their order, then the new ones
+	std::vector<CutTriangle> triangles;  ///< what replaces the sheet triangles in `touched`
+	std::vector<int> touched;            ///< sheet triangles that are cut up, ascending
+	std::vector<int> within;             ///< sheet triangles that lie wholly within a letter and are not cut, ascending
 	std::vector<ContourPiece> pieces;
-	double insideArea = 0;                 ///< in the label plane
+	double insideArea = 0;  ///< in the label plane
 };
 
 /// Cuts the contours of a label into a sheet.
 class LabelCutter {
 public:
-	LabelCutter(const LabelSpace& space, const Sheet& sheet, double snap) : space_(space), sheet_(sheet), march_(sheet, snap), snap_(snap) {}
+	LabelCutter(const LabelSpace& space, const Sheet& sheet, double snap)
+		: space_(space), sheet_(sheet), march_(sheet, snap), snap_(snap)
+	{}
 
 	/// @param[in] outline  in the label plane
 	/// @param[in] seeds  #contours: a facing sheet triangle that holds the contour's first point
@@ -63,7 +65,8 @@ private:
 		int from, to, halfEdge, region;
 	};
 	struct Chain {
-		int triangle, path, first, length;  ///< nodes first .. first+length-1 (modulo) of a path; a loop when length is the path's
+		int triangle, path, first,
+			length;  ///< nodes first .. first+length-1 (modulo) of a path; a loop when length is the path's
 		bool loop;
 	};
 
@@ -95,26 +98,26 @@ private:
 	double snap_;
 	CutLabel out_;
 	std::vector<SheetPath> paths_;
-	std::vector<std::vector<int>> pathPoints_;      ///< point of each node
-	std::vector<char> onContour_;                   ///< per sheet vertex
+	std::vector<std::vector<int>> pathPoints_;  ///< point of each node
+	std::vector<char> onContour_;               ///< per sheet vertex
 	std::vector<EdgePoint> edgePoints_;
 	std::vector<Chain> chains_;
 	std::vector<std::pair<int, int>> contourPieces_;  ///< sorted, for look-up
-	std::vector<BorderPiece> borderPieces_;         ///< sorted by (from, to)
-	std::vector<int> regionStart_;                  ///< pieces of each region, CSR into regionPieces_
+	std::vector<BorderPiece> borderPieces_;           ///< sorted by (from, to)
+	std::vector<int> regionStart_;                    ///< pieces of each region, CSR into regionPieces_
 	std::vector<int> regionPieces_;
-	std::vector<Side> regionSide_;                  ///< regions of touched triangles, then one for each sheet triangle
-	std::vector<int> triangleRegion_;               ///< #cut triangles
-	int regionCount_ = 0;                           ///< regions of touched triangles
+	std::vector<Side> regionSide_;     ///< regions of touched triangles, then one for each sheet triangle
+	std::vector<int> triangleRegion_;  ///< #cut triangles
+	int regionCount_ = 0;              ///< regions of touched triangles
 	std::vector<int> stack_;
 	TriangleWalk walk_;
 	TriangleCase case_;
 	RegionSet regions_;
 	Tessellator tessellator_;
-	std::vector<int> casePoint_;                    ///< point of each case point
+	std::vector<int> casePoint_;  ///< point of each case point
 	std::vector<vcg::Point3d> caseSpace_;
-	std::vector<std::pair<int, int>> caseBorder_;   ///< (point, index in the case), sorted
-	std::vector<int> caseHalfEdge_;                 ///< #borderCount: the half-edge that each border piece lies on
+	std::vector<std::pair<int, int>> caseBorder_;  ///< (point, index in the case), sorted
+	std::vector<int> caseHalfEdge_;                ///< #borderCount: the half-edge that each border piece lies on
 	std::vector<IndexTriangle> regionTriangles_;
 };
 
@@ -148,8 +151,7 @@ inline void LabelCutter::layContours(const Outline& outline, const std::vector<i
 		paths_.push_back(march_.march(outline.contours[c].points, seeds[c]));
 		std::vector<int>& points = pathPoints_.emplace_back();
 		for (const PathNode& node : paths_.back().nodes) points.push_back(pointOf(node));
-		for (size_t i = 0; i < points.size(); ++i)
-			out_.pieces.push_back({points[i], points[(i + 1) % points.size()]});
+		for (size_t i = 0; i < points.size(); ++i) out_.pieces.push_back({points[i], points[(i + 1) % points.size()]});
 	}
 	for (const ContourPiece& piece : out_.pieces) contourPieces_.emplace_back(piece.from, piece.to);
 	std::sort(contourPieces_.begin(), contourPieces_.end());
@@ -175,7 +177,7 @@ inline CutPoint LabelCutter::mix(const PathNode& node) const
 	if (node.kind == PathNode::OnEdge) {
 		const int a = sheet_.from(node.where), b = sheet_.to(node.where);
 		const double ka = (1 - node.along) * space_.magnification(sheet_.vertices[size_t(a)].label),
-		             kb = node.along * space_.magnification(sheet_.vertices[size_t(b)].label);
+					 kb = node.along * space_.magnification(sheet_.vertices[size_t(b)].label);
 		p.parent = {a, b, b};
 		p.weight = {ka / (ka + kb), kb / (ka + kb), 0};
 	} else {
@@ -185,7 +187,7 @@ inline CutPoint LabelCutter::mix(const PathNode& node) const
 	}
 	// as an offset from one corner: a coordinate that all corners share comes out exactly
 	const SheetVertex &a = sheet_.vertices[size_t(p.parent[0])], &b = sheet_.vertices[size_t(p.parent[1])],
-	                  &c = sheet_.vertices[size_t(p.parent[2])];
+					  &c = sheet_.vertices[size_t(p.parent[2])];
 	p.mesh = a.mesh + (b.mesh - a.mesh) * p.weight[1] + (c.mesh - a.mesh) * p.weight[2];
 	p.label = a.label + (b.label - a.label) * p.weight[1] + (c.label - a.label) * p.weight[2];
 	return p;
@@ -194,7 +196,9 @@ inline CutPoint LabelCutter::mix(const PathNode& node) const
 inline void LabelCutter::sortEdgePoints()
 {
 	std::sort(edgePoints_.begin(), edgePoints_.end(), [](const EdgePoint& a, const EdgePoint& b) {
-		return a.halfEdge != b.halfEdge ? a.halfEdge < b.halfEdge : a.along != b.along ? a.along < b.along : a.point < b.point;
+		return a.halfEdge != b.halfEdge ? a.halfEdge < b.halfEdge
+		       : a.along != b.along     ? a.along < b.along
+		                                : a.point < b.point;
 	});
 	constexpr double apart = 0.25;  // of snap: closer points would not survive the rounding of coordinates
 	for (size_t i = 1; i < edgePoints_.size(); ++i) {
@@ -228,7 +232,9 @@ inline void LabelCutter::collectChains(int path)
 inline void LabelCutter::cutTriangles()
 {
 	std::sort(chains_.begin(), chains_.end(), [](const Chain& a, const Chain& b) {
-		return a.triangle != b.triangle ? a.triangle < b.triangle : a.path != b.path ? a.path < b.path : a.first < b.first;
+		return a.triangle != b.triangle ? a.triangle < b.triangle
+		       : a.path != b.path       ? a.path < b.path
+		                                : a.first < b.first;
 	});
 	for (const Chain& c : chains_) out_.touched.push_back(c.triangle);
 	for (const EdgePoint& e : edgePoints_)
@@ -352,7 +358,9 @@ inline bool LabelCutter::isContour(int from, int to) const
 inline int LabelCutter::regionBeside(int from, int to, int triangle) const
 {
 	if (touchedIndex(triangle) < 0) return regionCount_ + triangle;
-	const auto less = [](const BorderPiece& p, const std::pair<int, int>& key) { return std::make_pair(p.from, p.to) < key; };
+	const auto less = [](const BorderPiece& p, const std::pair<int, int>& key) {
+		return std::make_pair(p.from, p.to) < key;
+	};
 	const auto found = std::lower_bound(borderPieces_.begin(), borderPieces_.end(), std::make_pair(from, to), less);
 	if (found == borderPieces_.end() || found->from != from || found->to != to)
 		throw PlacementConflict{"neighbours cut their common edge differently", out_.points[size_t(from)].plane};
@@ -369,7 +377,8 @@ inline void LabelCutter::floodInside()
 	for (size_t i = 1; i < regionStart_.size(); ++i) regionStart_[i] += regionStart_[i - 1];
 	regionPieces_.resize(borderPieces_.size());
 	std::vector<int> next(regionStart_.begin(), regionStart_.end() - 1);
-	for (size_t i = 0; i < borderPieces_.size(); ++i) regionPieces_[size_t(next[size_t(borderPieces_[i].region)]++)] = int(i);
+	for (size_t i = 0; i < borderPieces_.size(); ++i)
+		regionPieces_[size_t(next[size_t(borderPieces_[i].region)]++)] = int(i);
 
 	regionSide_.resize(size_t(regionCount_) + sheet_.triangles.size(), Side::Unknown);
 	for (int r = 0; r < regionCount_; ++r)
@@ -389,7 +398,8 @@ inline void LabelCutter::floodInside()
 			for (int i = regionStart_[size_t(r)]; i < regionStart_[size_t(r) + 1]; ++i)
 				crossBorder(borderPieces_[size_t(regionPieces_[size_t(i)])]);
 		} else {
-			for (int h = 3 * (r - regionCount_), k = 0; k < 3; ++k, ++h) crossBorder({sheet_.from(h), sheet_.to(h), h, r});
+			for (int h = 3 * (r - regionCount_), k = 0; k < 3; ++k, ++h)
+				crossBorder({sheet_.from(h), sheet_.to(h), h, r});
 		}
 	}
 }
@@ -425,14 +435,18 @@ inline void LabelCutter::throwOffSheet(int halfEdge) const
 	const ErrorCode code = twin == BorderEdge        ? ErrorCode::Border
 	                       : twin == NonManifoldEdge ? ErrorCode::NonManifold
 	                                                 : ErrorCode::Silhouette;
-	const vcg::Point3d &a = sheet_.vertices[size_t(sheet_.from(halfEdge))].mesh, &b = sheet_.vertices[size_t(sheet_.to(halfEdge))].mesh;
-	throw Error(code, "the inside of a letter leaves the sheet").atFace(sheet_.triangles[size_t(halfEdge / 3)].face).atPlace((a + b) / 2);
+	const vcg::Point3d &a = sheet_.vertices[size_t(sheet_.from(halfEdge))].mesh,
+					   &b = sheet_.vertices[size_t(sheet_.to(halfEdge))].mesh;
+	throw Error(code, "the inside of a letter leaves the sheet")
+		.atFace(sheet_.triangles[size_t(halfEdge / 3)].face)
+		.atPlace((a + b) / 2);
 }
 
 inline void LabelCutter::finish(const Outline& outline)
 {
 	double perimeter = 0;
-	for (const ContourPiece& p : out_.pieces) perimeter += (out_.points[size_t(p.to)].plane - out_.points[size_t(p.from)].plane).Norm();
+	for (const ContourPiece& p : out_.pieces)
+		perimeter += (out_.points[size_t(p.to)].plane - out_.points[size_t(p.from)].plane).Norm();
 	const auto add = [&](int a, int b, int c) {
 		const vcg::Point2d& p = out_.points[size_t(a)].plane;
 		out_.insideArea += ((out_.points[size_t(b)].plane - p) ^ (out_.points[size_t(c)].plane - p)) / 2;
@@ -451,7 +465,8 @@ inline void LabelCutter::finish(const Outline& outline)
 	constexpr double rounding = 1e-9;
 	const double area = Area(outline), allowed = rounding * area + 8 * snap_ * perimeter;
 	if (!(std::abs(out_.insideArea - area) <= allowed))
-		throw PlacementConflict{"the letters do not keep their area: the sheet covers itself", outline.contours[0].points[0]};
+		throw PlacementConflict{"the letters do not keep their area: the sheet covers itself",
+		                        outline.contours[0].points[0]};
 }
 
 }  // namespace vcg::textlabel

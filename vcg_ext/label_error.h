@@ -12,46 +12,64 @@ namespace vcg::textlabel {
 
 enum class ErrorCode {
 	// the request
-	EmptyLabel,           ///< no contour at all: empty text, or only blanks
-	BadContour,           ///< a contour that is not simple, not nested or not oriented as promised
-	BadFrame,             ///< non-finite or degenerate frame: direction zero, up parallel to it, camera in the label plane
-	BadHeight,            ///< height NaN, infinite, or larger than the part
+	EmptyLabel,  ///< no contour at all: empty text, or only blanks
+	BadContour,  ///< a contour that is not simple, not nested or not oriented as promised
+	BadFrame,    ///< non-finite or degenerate frame: direction zero, up parallel to it, camera in the label plane
+	BadHeight,   ///< height NaN, infinite, or larger than the part
 	// the mesh
-	EmptyMesh,            ///< no vertex, no face (a point cloud), or no finite face
-	NotTriangles,         ///< polygons marked by faux edges
+	EmptyMesh,     ///< no vertex, no face (a point cloud), or no finite face
+	NotTriangles,  ///< polygons marked by faux edges
 	// the place
-	OffSurface,           ///< a letter, or a piece of it, falls beside the surface
-	FacesAway,            ///< the first surface seen there shows its back: normals turned round, or the camera inside
-	Border,               ///< the label runs over an open border or a hole
-	Silhouette,           ///< the label runs over the horizon of the part as seen from the viewpoint
-	NonManifold,          ///< an edge of three or more faces, or two faces of opposite orientation, lies under the label
-	Occluded,             ///< another surface hides a piece of the label from the viewer
-	BehindCamera,         ///< the surface under the label reaches behind the centre of projection
-	Grazing,              ///< the surface is too steep to the view: `value` is the stretch, `limit` the largest allowed
+	OffSurface,    ///< a letter, or a piece of it, falls beside the surface
+	FacesAway,     ///< the first surface seen there shows its back: normals turned round, or the camera inside
+	Border,        ///< the label runs over an open border or a hole
+	Silhouette,    ///< the label runs over the horizon of the part as seen from the viewpoint
+	NonManifold,   ///< an edge of three or more faces, or two faces of opposite orientation, lies under the label
+	Occluded,      ///< another surface hides a piece of the label from the viewer
+	BehindCamera,  ///< the surface under the label reaches behind the centre of projection
+	Grazing,       ///< the surface is too steep to the view: `value` is the stretch, `limit` the largest allowed
 	// the result
-	TooFine,              ///< letters finer than the coordinates carry: `value` is the finest detail, `limit` what is needed
-	HitsSurface,          ///< the raised or sunk label meets another part of the surface: `limit` is the depth that fits
-	HitsItself,           ///< the extrusion folds or meets itself: `limit` is the depth that works
-	Cancelled,            ///< the caller's progress function said stop
-	OutOfMemory           ///< the mesh is as it was
+	TooFine,      ///< letters finer than the coordinates carry: `value` is the finest detail, `limit` what is needed
+	HitsSurface,  ///< the raised or sunk label meets another part of the surface: `limit` is the depth that fits
+	HitsItself,   ///< the extrusion folds or meets itself: `limit` is the depth that works
+	Cancelled,    ///< the caller's progress function said stop
+	OutOfMemory   ///< the mesh is as it was
 };
 
 /// What went wrong, where, and by how much.
 struct Error : std::exception {
 	ErrorCode code;
-	int face = -1;                       ///< index of a face of the mesh, or -1
-	int letter = -1;                     ///< index of the letter (Contour::letter), or -1
+	int face = -1;    ///< index of a face of the mesh, or -1
+	int letter = -1;  ///< index of the letter (Contour::letter), or -1
 	bool hasPlace = false;
-	vcg::Point3d place{0, 0, 0};         ///< in mesh coordinates, valid when hasPlace
-	double value = 0;                    ///< measured, see the code
-	double limit = 0;                    ///< allowed, see the code
-	std::string message;                 ///< detail for a developer; never needed to understand the code
+	vcg::Point3d place{0, 0, 0};  ///< in mesh coordinates, valid when hasPlace
+	double value = 0;             ///< measured, see the code
+	double limit = 0;             ///< allowed, see the code
+	std::string message;          ///< detail for a developer; never needed to understand the code
 
 	explicit Error(ErrorCode c, std::string m = {}) : code(c), message(std::move(m)) {}
-	Error& atFace(int f) { face = f; return *this; }
-	Error& atLetter(int l) { letter = l; return *this; }
-	Error& atPlace(const vcg::Point3d& p) { place = p; hasPlace = true; return *this; }
-	Error& measured(double v, double l) { value = v; limit = l; return *this; }
+	Error& atFace(int f)
+	{
+		face = f;
+		return *this;
+	}
+	Error& atLetter(int l)
+	{
+		letter = l;
+		return *this;
+	}
+	Error& atPlace(const vcg::Point3d& p)
+	{
+		place = p;
+		hasPlace = true;
+		return *this;
+	}
+	Error& measured(double v, double l)
+	{
+		value = v;
+		limit = l;
+		return *this;
+	}
 	const char* what() const noexcept override { return message.c_str(); }
 };
 

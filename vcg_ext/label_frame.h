@@ -91,10 +91,7 @@ public:
 
 	/// Size of the projection over size in space, for what lies at q and faces the viewer; also the weight of a vertex
 	/// when interpolating along projected lines (perspective-correct). 1 in parallel projection.
-	double magnification(const vcg::Point3d& q) const
-	{
-		return perspective_ ? center_[2] / (center_[2] - q[2]) : 1.0;
-	}
+	double magnification(const vcg::Point3d& q) const { return perspective_ ? center_[2] / (center_[2] - q[2]) : 1.0; }
 	/// Project a point of label space to the label plane. @pre isInFront(q)
 	vcg::Point2d project(const vcg::Point3d& q) const
 	{
@@ -127,7 +124,8 @@ inline LabelSpace::LabelSpace(const LabelFrame& f) : perspective_(f.perspective)
 	const auto bad = [](const char* why) { throw Error(ErrorCode::BadFrame, why); };
 	for (const vcg::Point3d& p : {f.origin, f.u, f.v, f.w, f.center})
 		if (!IsFinite(p)) bad("the frame is not finite");
-	for (const double d : {f.u * f.u - 1, f.v * f.v - 1, f.w * f.w - 1, f.u * f.v, f.v * f.w, f.w * f.u, (f.u ^ f.v) * f.w - 1})
+	for (const double d :
+	     {f.u * f.u - 1, f.v * f.v - 1, f.w * f.w - 1, f.u * f.v, f.v * f.w, f.w * f.u, (f.u ^ f.v) * f.w - 1})
 		if (!(std::abs(d) < orthonormality)) bad("the frame is not orthonormal and right-handed");
 	vcg::Point3d column[3], shift;
 	for (int i = 0; i < 3; ++i) {
@@ -138,7 +136,8 @@ inline LabelSpace::LabelSpace(const LabelFrame& f) : perspective_(f.perspective)
 		if (!IsFinite(p)) bad("the layer's matrix is not finite");
 	const double det = (column[0] ^ column[1]) * column[2];
 	scale_ = std::sqrt(column[0].SquaredNorm() + column[1].SquaredNorm() + column[2].SquaredNorm());
-	if (!(std::abs(det) > std::numeric_limits<double>::epsilon() * scale_ * scale_ * scale_)) bad("the layer's matrix is singular");
+	if (!(std::abs(det) > std::numeric_limits<double>::epsilon() * scale_ * scale_ * scale_))
+		bad("the layer's matrix is singular");
 	if (det == 1) scale_ = 1;  // a rigid layer; elsewhere the bound of the Frobenius norm is enough
 	mirrors_ = det < 0;
 	const vcg::Point3d inverseRow[3] = {(column[1] ^ column[2]) / det, (column[2] ^ column[0]) / det,

@@ -17,20 +17,20 @@
 namespace vcg::textlabel {
 
 struct LabelOptions {
-	double height = 0;                          ///< world units: > 0 raised, < 0 sunk, 0 flat
+	double height = 0;  ///< world units: > 0 raised, < 0 sunk, 0 flat
 	ExtrudeAlong along = ExtrudeAlong::Viewpoint;
-	double maxStretch = 8;                      ///< refuse where a letter gets this much longer on the surface than in the plane
+	double maxStretch = 8;  ///< refuse where a letter gets this much longer on the surface than in the plane
 	std::function<bool(int percent)> progress;  ///< may be null; false cancels
 };
 
 struct LabelPlan {
 	CutLabel cut;
 	LabelPatch patch;
-	double stretch = 1;       ///< largest ratio of surface length to label length under the letters
-	double surfaceArea = 0;   ///< of the letters on the surface before raising, world units squared
-	double room = 0;          ///< to the next surface behind the letters, world units; infinite if none
-	double resolution = 0;    ///< world units: no point of a contour was moved by more
-	int attempts = 0;         ///< placements tried
+	double stretch = 1;      ///< largest ratio of surface length to label length under the letters
+	double surfaceArea = 0;  ///< of the letters on the surface before raising, world units squared
+	double room = 0;         ///< to the next surface behind the letters, world units; infinite if none
+	double resolution = 0;   ///< world units: no point of a contour was moved by more
+	int attempts = 0;        ///< placements tried
 };
 
 /// How the coordinates of a mesh are stored or saved.
@@ -42,7 +42,8 @@ struct Precision {
 	double ulp(double largest) const
 	{
 		const int digits = isFloat ? std::numeric_limits<float>::digits : std::numeric_limits<double>::digits;
-		const double least = isFloat ? double(std::numeric_limits<float>::denorm_min()) : std::numeric_limits<double>::denorm_min();
+		const double least =
+			isFloat ? double(std::numeric_limits<float>::denorm_min()) : std::numeric_limits<double>::denorm_min();
 		return largest > 0 ? std::max(std::ldexp(1.0, std::ilogb(largest) + 1 - digits), least) : least;
 	}
 };
@@ -80,11 +81,11 @@ private:
 
 // ---------------------------------------------------------------------------------------------------------------------------
 
-inline LabelPlanner::LabelPlanner(const LabelSpace& space, const Sheet& sheet, Precision precision, const LabelOptions& options)
-    : space_(space), sheet_(sheet), precision_(precision), options_(options),
-      ulp_(precision.ulp(sheet.largestCoordinate) * space.scale()), snap_(snapUlps * ulp_)
-{
-}
+inline LabelPlanner::LabelPlanner(const LabelSpace& space, const Sheet& sheet, Precision precision,
+                                  const LabelOptions& options)
+	: space_(space), sheet_(sheet), precision_(precision), options_(options),
+	  ulp_(precision.ulp(sheet.largestCoordinate) * space.scale()), snap_(snapUlps * ulp_)
+{}
 
 inline void LabelPlanner::report(int percent) const
 {
@@ -107,10 +108,13 @@ inline Outline LabelPlanner::prepared(const Outline& outline, const vcg::Point2d
 			perimeter += (c.points[i] - c.points[(i + 1) % c.points.size()]).Norm();
 			if (kept.points.empty() || (p - kept.points.back()).Norm() > apart * snap_) kept.points.push_back(p);
 		}
-		while (kept.points.size() > 1 && (kept.points.front() - kept.points.back()).Norm() <= apart * snap_) kept.points.pop_back();
+		while (kept.points.size() > 1 && (kept.points.front() - kept.points.back()).Norm() <= apart * snap_)
+			kept.points.pop_back();
 		const double width = perimeter > 0 ? std::abs(TwiceSignedArea(c.points)) / perimeter : 0;
 		if (kept.points.size() < 3 || !(width >= leastStroke()))
-			throw Error(ErrorCode::TooFine, "a contour is finer than the coordinates").atLetter(c.letter).measured(width, leastStroke());
+			throw Error(ErrorCode::TooFine, "a contour is finer than the coordinates")
+				.atLetter(c.letter)
+				.measured(width, leastStroke());
 	}
 	return out;
 }
@@ -161,17 +165,21 @@ inline void LabelPlanner::measureSurface(LabelPlan& plan) const
 	for (const int t : parents) {
 		const auto& v = sheet_.triangles[size_t(t)].vertex;
 		const vcg::Point3d &a = sheet_.vertices[size_t(v[0])].label, &b = sheet_.vertices[size_t(v[1])].label,
-		                   &c = sheet_.vertices[size_t(v[2])].label, middle = (a + b + c) / 3;
+						   &c = sheet_.vertices[size_t(v[2])].label, middle = (a + b + c) / 3;
 		const vcg::Point3d normal = (b - a) ^ (c - a);
 		const double cosine = normal * space_.towardsViewer(middle) / normal.Norm();
 		const double stretch = 1 / (cosine * space_.magnification(middle));
 		plan.stretch = std::max(plan.stretch, stretch);
 		if (!(stretch <= options_.maxStretch))
-			throw Error(ErrorCode::Grazing, "the surface is steep to the view").atFace(sheet_.triangles[size_t(t)].face).atPlace(space_.toMesh(middle)).measured(stretch, options_.maxStretch);
+			throw Error(ErrorCode::Grazing, "the surface is steep to the view")
+				.atFace(sheet_.triangles[size_t(t)].face)
+				.atPlace(space_.toMesh(middle))
+				.measured(stretch, options_.maxStretch);
 	}
 	for (const IndexTriangle& t : detail::InsideTriangles(sheet_, plan.cut)) {
 		const vcg::Point3d& a = plan.cut.points[size_t(t[0])].label;
-		plan.surfaceArea += ((plan.cut.points[size_t(t[1])].label - a) ^ (plan.cut.points[size_t(t[2])].label - a)).Norm() / 2;
+		plan.surfaceArea +=
+			((plan.cut.points[size_t(t[1])].label - a) ^ (plan.cut.points[size_t(t[2])].label - a)).Norm() / 2;
 	}
 }
 
@@ -182,7 +190,10 @@ inline void LabelPlanner::checkRoom(LabelPlan& plan) const
 	plan.room = clearance.behind;
 	const double left = clearance.behind + options_.height;
 	if (options_.along == ExtrudeAlong::Viewpoint && options_.height < 0 && left < margin * snap_)
-		throw Error(ErrorCode::HitsSurface, "the floor comes out behind").atFace(clearance.face).atPlace(clearance.place).measured(-options_.height, clearance.behind);
+		throw Error(ErrorCode::HitsSurface, "the floor comes out behind")
+			.atFace(clearance.face)
+			.atPlace(clearance.place)
+			.measured(-options_.height, clearance.behind);
 }
 
 inline PatchVerdict LabelPlanner::check(const LabelPatch& patch) const
@@ -200,10 +211,14 @@ inline void LabelPlanner::refuseHeight(const LabelPlan& plan, const PatchVerdict
 		const LabelPatch lower = RaiseLabel(space_, sheet_, plan.cut, options_.height * middle, options_.along);
 		(check(lower).fault == PatchFault::Sound ? works : fails) = middle;
 	}
-	if (works == 0) throw PlacementConflict{"rounded coordinates spoil the label", space_.project(space_.toLabel(verdict.place))};
+	if (works == 0)
+		throw PlacementConflict{"rounded coordinates spoil the label", space_.project(space_.toLabel(verdict.place))};
 	const double height = std::abs(options_.height);
-	throw Error(verdict.fault == PatchFault::CrossesPart ? ErrorCode::HitsSurface : ErrorCode::HitsItself, "the extrusion meets a surface")
-	    .atFace(verdict.face).atPlace(verdict.place).measured(height, height * works);
+	throw Error(verdict.fault == PatchFault::CrossesPart ? ErrorCode::HitsSurface : ErrorCode::HitsItself,
+	            "the extrusion meets a surface")
+		.atFace(verdict.face)
+		.atPlace(verdict.place)
+		.measured(height, height * works);
 }
 
 }  // namespace vcg::textlabel

@@ -19,8 +19,8 @@ enum class FaceKind : signed char { Outside, Top, Wall };
 
 /// A vertex that the label makes.
 struct PatchVertex {
-	vcg::Point3d mesh;             ///< mesh coordinates, not yet rounded
-	std::array<int, 3> parent;     ///< sheet vertices whose attributes it mixes
+	vcg::Point3d mesh;          ///< mesh coordinates, not yet rounded
+	std::array<int, 3> parent;  ///< sheet vertices whose attributes it mixes
 	std::array<double, 3> weight;
 };
 
@@ -33,17 +33,18 @@ struct PatchFace {
 
 /// What a label changes in a mesh: replace the sheet triangles in `removed` by `faces`, and move some vertices.
 struct LabelPatch {
-	std::vector<PatchVertex> vertices;                  ///< new
-	std::vector<std::pair<int, vcg::Point3d>> moved;    ///< sheet vertices within letters, and where to
-	std::vector<PatchFace> faces;                       ///< for each removed triangle at least one has it as parent and is no wall
-	std::vector<int> removed;                           ///< sheet triangles, ascending
-	std::vector<int> contourTop;                        ///< #cut points: the raised copy of a contour point, or -1
+	std::vector<PatchVertex> vertices;                ///< new
+	std::vector<std::pair<int, vcg::Point3d>> moved;  ///< sheet vertices within letters, and where to
+	std::vector<PatchFace> faces;  ///< for each removed triangle at least one has it as parent and is no wall
+	std::vector<int> removed;      ///< sheet triangles, ascending
+	std::vector<int> contourTop;   ///< #cut points: the raised copy of a contour point, or -1
 };
 
 /// Raise the inside of a cut label.
 /// @param[in] height  world units; > 0 towards the viewer, < 0 away, 0 leaves all in the surface
 /// @return a patch whose border is that of the triangles it replaces
-LabelPatch RaiseLabel(const LabelSpace& space, const Sheet& sheet, const CutLabel& cut, double height, ExtrudeAlong along);
+LabelPatch RaiseLabel(const LabelSpace& space, const Sheet& sheet, const CutLabel& cut, double height,
+                      ExtrudeAlong along);
 
 // ---------------------------------------------------------------------------------------------------------------------------
 
@@ -85,7 +86,8 @@ inline std::vector<vcg::Point3d> SmoothNormals(const CutLabel& cut, const std::v
 
 }  // namespace detail
 
-inline LabelPatch RaiseLabel(const LabelSpace& space, const Sheet& sheet, const CutLabel& cut, double height, ExtrudeAlong along)
+inline LabelPatch RaiseLabel(const LabelSpace& space, const Sheet& sheet, const CutLabel& cut, double height,
+                             ExtrudeAlong along)
 {
 	LabelPatch patch;
 	const int old = int(sheet.vertices.size());
@@ -116,10 +118,14 @@ inline LabelPatch RaiseLabel(const LabelSpace& space, const Sheet& sheet, const 
 		std::vector<char> seen(size_t(old), 0);
 		for (const IndexTriangle& t : inside)
 			for (const int v : t)
-				if (v < old && top[size_t(v)] == v && !std::exchange(seen[size_t(v)], 1)) patch.moved.emplace_back(v, raised(v));
-		std::sort(patch.moved.begin(), patch.moved.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+				if (v < old && top[size_t(v)] == v && !std::exchange(seen[size_t(v)], 1))
+					patch.moved.emplace_back(v, raised(v));
+		std::sort(patch.moved.begin(), patch.moved.end(),
+		          [](const auto& a, const auto& b) { return a.first < b.first; });
 	}
-	const auto topOf = [&](const IndexTriangle& t) { return IndexTriangle{top[size_t(t[0])], top[size_t(t[1])], top[size_t(t[2])]}; };
+	const auto topOf = [&](const IndexTriangle& t) {
+		return IndexTriangle{top[size_t(t[0])], top[size_t(t[1])], top[size_t(t[2])]};
+	};
 	std::vector<std::array<int, 3>> besidePiece;  // from, to, parent: which inside triangle borders a contour piece
 	for (const CutTriangle& t : cut.triangles) {
 		if (t.side == Side::Outside) {
@@ -139,7 +145,8 @@ inline LabelPatch RaiseLabel(const LabelSpace& space, const Sheet& sheet, const 
 	if (height == 0) return patch;
 	std::sort(besidePiece.begin(), besidePiece.end());
 	for (const ContourPiece& piece : cut.pieces) {
-		const auto beside = std::lower_bound(besidePiece.begin(), besidePiece.end(), std::array<int, 3>{piece.from, piece.to, -1});
+		const auto beside =
+			std::lower_bound(besidePiece.begin(), besidePiece.end(), std::array<int, 3>{piece.from, piece.to, -1});
 		const int parent = (*beside)[2], a = piece.from, b = piece.to, ta = top[size_t(a)], tb = top[size_t(b)];
 		patch.faces.push_back({{a, b, tb}, parent, FaceKind::Wall});
 		patch.faces.push_back({{a, tb, ta}, parent, FaceKind::Wall});

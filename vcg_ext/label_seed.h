@@ -42,11 +42,13 @@ inline double HeightUnder(const LabelSpace& space, const Sheet& sheet, int trian
 	for (int k = 0; k < 3; ++k) w[k] = std::max(w[k], 0.0);
 	w /= w[0] + w[1] + w[2];
 	double z = 0;
-	for (int k = 0; k < 3; ++k) z += w[k] * sheet.vertices[size_t(sheet.triangles[size_t(triangle)].vertex[size_t(k)])].label[2];
+	for (int k = 0; k < 3; ++k)
+		z += w[k] * sheet.vertices[size_t(sheet.triangles[size_t(triangle)].vertex[size_t(k)])].label[2];
 	return z;
 }
 
-inline void HitSeed(const LabelSpace& space, const Sheet& sheet, int triangle, const vcg::Point2d& p, double snap, SeedHits& hits)
+inline void HitSeed(const LabelSpace& space, const Sheet& sheet, int triangle, const vcg::Point2d& p, double snap,
+                    SeedHits& hits)
 {
 	const SheetTriangle& t = sheet.triangles[size_t(triangle)];
 	const double depth = Depth(sheet, t, p, t.facing ? 1 : -1);
@@ -75,7 +77,8 @@ inline std::vector<int> FindSeeds(const LabelSpace& space, const Sheet& sheet, c
 		for (const int v : sheet.triangles[size_t(t)].vertex) box.add(sheet.plane(v));
 		box.grow(snap);
 		const auto before = [](const Probe& a, double x) { return a.p[0] < x; };
-		for (auto i = std::lower_bound(probes.begin(), probes.end(), box.low[0], before); i != probes.end() && i->p[0] <= box.high[0]; ++i)
+		for (auto i = std::lower_bound(probes.begin(), probes.end(), box.low[0], before);
+		     i != probes.end() && i->p[0] <= box.high[0]; ++i)
 			if (i->p[1] >= box.low[1] && i->p[1] <= box.high[1])
 				detail::HitSeed(space, sheet, t, i->p, snap, hits[size_t(i - probes.begin())]);
 	}
@@ -90,9 +93,15 @@ inline std::vector<int> FindSeeds(const LabelSpace& space, const Sheet& sheet, c
 			return space.toMesh(onPlane + (space.center() - onPlane) * (z / space.center()[2]));
 		};
 		if (hit.back >= 0 && !(hit.facingDepth >= hit.backDepth - snap))
-			throw Error(ErrorCode::FacesAway, "the first surface shows its back").atFace(sheet.triangles[size_t(hit.back)].face).atLetter(letter).atPlace(place(hit.backDepth));
+			throw Error(ErrorCode::FacesAway, "the first surface shows its back")
+				.atFace(sheet.triangles[size_t(hit.back)].face)
+				.atLetter(letter)
+				.atPlace(place(hit.backDepth));
 		if (hit.facing < 0)
-			throw Error(sheet.reachesBehindCamera ? ErrorCode::BehindCamera : ErrorCode::OffSurface, "nothing under a contour").atLetter(letter).atPlace(place(0));
+			throw Error(sheet.reachesBehindCamera ? ErrorCode::BehindCamera : ErrorCode::OffSurface,
+			            "nothing under a contour")
+				.atLetter(letter)
+				.atPlace(place(0));
 		seeds[size_t(probes[i].contour)] = hit.facing;
 	}
 	return seeds;

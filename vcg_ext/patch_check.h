@@ -17,11 +17,11 @@ namespace vcg::textlabel {
 /// What is wrong with a patch; Sound is the only good one.
 enum class PatchFault {
 	Sound,
-	Merged,      ///< two vertices have the same rounded coordinates
-	Collapsed,   ///< a face without area, or turned round by rounding
-	Folded,      ///< a raised face points away from where the surface pointed
-	CrossesSelf, ///< two faces of the label meet
-	CrossesPart  ///< a face of the label meets another part of the surface
+	Merged,       ///< two vertices have the same rounded coordinates
+	Collapsed,    ///< a face without area, or turned round by rounding
+	Folded,       ///< a raised face points away from where the surface pointed
+	CrossesSelf,  ///< two faces of the label meet
+	CrossesPart   ///< a face of the label meets another part of the surface
 };
 
 struct PatchVerdict {
@@ -68,7 +68,8 @@ inline int FindMerged(const Sheet& sheet, const LabelPatch& patch, const std::ve
 	for (size_t i = sheet.vertices.size(); i < position.size(); ++i) changed[i] = 1;
 	for (const auto& m : patch.moved) changed[size_t(m.first)] = 1;
 	for (size_t i = 1; i < order.size(); ++i)
-		if (position[size_t(order[i])] == position[size_t(order[i - 1])] && (changed[size_t(order[i])] || changed[size_t(order[i - 1])]))
+		if (position[size_t(order[i])] == position[size_t(order[i - 1])] &&
+		    (changed[size_t(order[i])] || changed[size_t(order[i - 1])]))
 			return order[i];
 	return -1;
 }
@@ -92,10 +93,12 @@ inline bool KeepsOrientation(const LabelSpace& space, const Sheet& sheet, const 
 inline bool CrossedBefore(const std::vector<vcg::Point3d>& position, const Sheet& sheet, const PatchFace& a, int other)
 {
 	if (a.kind != FaceKind::Outside) return false;
-	return IsCrossing(ContactOf(CornersOf(position, sheet.triangles[size_t(a.parent)].vertex), CornersOf(position, sheet.triangles[size_t(other)].vertex)));
+	return IsCrossing(ContactOf(CornersOf(position, sheet.triangles[size_t(a.parent)].vertex),
+	                            CornersOf(position, sheet.triangles[size_t(other)].vertex)));
 }
 
-inline PatchVerdict CheckCrossings(const Sheet& sheet, const LabelPatch& patch, const std::vector<vcg::Point3d>& position)
+inline PatchVerdict CheckCrossings(const Sheet& sheet, const LabelPatch& patch,
+                                   const std::vector<vcg::Point3d>& position)
 {
 	std::vector<Corners> mine, others;
 	std::vector<int> otherTriangle;
@@ -113,11 +116,14 @@ inline PatchVerdict CheckCrossings(const Sheet& sheet, const LabelPatch& patch, 
 		const vcg::Point3d& place = position[size_t(a.vertex[0])];
 		if (!pair.secondIsOther) {
 			const PatchFace& b = patch.faces[size_t(pair.second)];
-			if (a.kind == FaceKind::Outside && b.kind == FaceKind::Outside && CrossedBefore(position, sheet, a, b.parent)) continue;
+			if (a.kind == FaceKind::Outside && b.kind == FaceKind::Outside &&
+			    CrossedBefore(position, sheet, a, b.parent))
+				continue;
 			return {PatchFault::CrossesSelf, place, -1};
 		}
 		const int other = otherTriangle[size_t(pair.second)];
-		if (!CrossedBefore(position, sheet, a, other)) return {PatchFault::CrossesPart, place, sheet.triangles[size_t(other)].face};
+		if (!CrossedBefore(position, sheet, a, other))
+			return {PatchFault::CrossesPart, place, sheet.triangles[size_t(other)].face};
 	}
 	return {};
 }

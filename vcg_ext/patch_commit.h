@@ -14,8 +14,8 @@ namespace vcg::textlabel {
 
 /// Where the faces of a patch went.
 struct CommitResult {
-	std::vector<int> faces;       ///< #LabelPatch::faces: index in the mesh
-	int firstNewVertex = 0;       ///< LabelPatch::vertices[i] is vertex firstNewVertex + i
+	std::vector<int> faces;  ///< #LabelPatch::faces: index in the mesh
+	int firstNewVertex = 0;  ///< LabelPatch::vertices[i] is vertex firstNewVertex + i
 };
 
 /// Write a patch into a mesh.
@@ -61,14 +61,16 @@ auto Mix(const Value& a, const Value& b, const Value& c, const std::array<double
 template <class MeshType>
 void MixVertex(MeshType& m, const Sheet& sheet, const PatchVertex& from, typename MeshType::VertexType& to)
 {
-	const auto parent = [&](size_t i) -> typename MeshType::VertexType& { return m.vert[size_t(sheet.vertices[size_t(from.parent[i])].index)]; };
+	const auto parent = [&](size_t i) ->
+		typename MeshType::VertexType& { return m.vert[size_t(sheet.vertices[size_t(from.parent[i])].index)]; };
 	auto &a = parent(0), &b = parent(1), &c = parent(2);
 	to.ImportData(a);
 	using Scalar = typename MeshType::ScalarType;
 	to.P() = {Scalar(from.mesh[0]), Scalar(from.mesh[1]), Scalar(from.mesh[2])};
 	if (vcg::tri::HasPerVertexColor(m))
 		for (int i = 0; i < 4; ++i)
-			to.C()[i] = static_cast<unsigned char>(std::clamp(std::lround(Mix(a.cC()[i], b.cC()[i], c.cC()[i], from.weight)), 0L, 255L));
+			to.C()[i] = static_cast<unsigned char>(
+				std::clamp(std::lround(Mix(a.cC()[i], b.cC()[i], c.cC()[i], from.weight)), 0L, 255L));
 	if (vcg::tri::HasPerVertexQuality(m))
 		to.Q() = static_cast<typename MeshType::VertexType::QualityType>(Mix(a.cQ(), b.cQ(), c.cQ(), from.weight));
 	if (vcg::tri::HasPerVertexTexCoord(m)) {
@@ -128,7 +130,8 @@ CommitResult CommitPatch(MeshType& m, const LabelSpace& space, const Sheet& shee
 
 	for (size_t i = 0; i < patch.vertices.size(); ++i)
 		detail::MixVertex(m, sheet, patch.vertices[i], m.vert[size_t(result.firstNewVertex) + i]);
-	for (const auto& [v, p] : patch.moved) m.vert[size_t(sheet.vertices[size_t(v)].index)].P() = {Scalar(p[0]), Scalar(p[1]), Scalar(p[2])};
+	for (const auto& [v, p] : patch.moved)
+		m.vert[size_t(sheet.vertices[size_t(v)].index)].P() = {Scalar(p[0]), Scalar(p[1]), Scalar(p[2])};
 
 	const bool wedges = vcg::tri::HasPerWedgeTexCoord(m);
 	// the first piece overwrites its birth face, so it goes last
@@ -141,7 +144,8 @@ CommitResult CommitPatch(MeshType& m, const LabelSpace& space, const Sheet& shee
 		const auto corner = [&](int k) { return space.mirrors() && k > 0 ? 3 - k : k; };
 		for (int k = 0; k < 3; ++k) {
 			const int point = f.vertex[size_t(k)];
-			const size_t index = point < old ? size_t(sheet.vertices[size_t(point)].index) : size_t(result.firstNewVertex + point - old);
+			const size_t index =
+				point < old ? size_t(sheet.vertices[size_t(point)].index) : size_t(result.firstNewVertex + point - old);
 			to.V(corner(k)) = &m.vert[index];
 			if (!wedges) continue;
 			const std::array<double, 3> w = detail::CornerWeights(sheet, patch, point, f.parent);

@@ -167,8 +167,11 @@ Expansion<2 * N * M> operator*(const Expansion<N>& e, const Expansion<M>& f)
 	return sums[from];
 }
 
+// Equal points, such as corners that two triangles share, are why most exact signs are asked for: they need no expansion.
+
 inline int Orient2dExact(const vcg::Point2d& a, const vcg::Point2d& b, const vcg::Point2d& c)
 {
+	if (a == b || b == c || c == a) return 0;
 	const auto acx = Difference(a[0], c[0]), acy = Difference(a[1], c[1]);
 	const auto bcx = Difference(b[0], c[0]), bcy = Difference(b[1], c[1]);
 	return (acx * bcy + -(acy * bcx)).sign();
@@ -176,6 +179,7 @@ inline int Orient2dExact(const vcg::Point2d& a, const vcg::Point2d& b, const vcg
 
 inline int Orient3dExact(const vcg::Point3d& a, const vcg::Point3d& b, const vcg::Point3d& c, const vcg::Point3d& d)
 {
+	if (a == b || a == c || a == d || b == c || b == d || c == d) return 0;
 	const auto abx = Difference(b[0], a[0]), aby = Difference(b[1], a[1]), abz = Difference(b[2], a[2]);
 	const auto acx = Difference(c[0], a[0]), acy = Difference(c[1], a[1]), acz = Difference(c[2], a[2]);
 	const auto adx = Difference(d[0], a[0]), ady = Difference(d[1], a[1]), adz = Difference(d[2], a[2]);

@@ -41,10 +41,10 @@ enum HalfEdgeKind : int { BorderEdge = -1, NonManifoldEdge = -2 };
 struct Sheet {
 	std::vector<SheetVertex> vertices;
 	std::vector<SheetTriangle> triangles;
-	std::vector<int> twin;               ///< #T*3: the half-edge on the other side, or a HalfEdgeKind
+	std::vector<int> twin;                    ///< #T*3: the half-edge on the other side, or a HalfEdgeKind
 	std::vector<int> vertexStart, vertexFan;  ///< CSR: candidates around each vertex
-	double largestCoordinate = 0;        ///< of the candidates' mesh coordinates, in absolute value
-	bool reachesBehindCamera = false;    ///< some triangle of the mesh reaches behind the centre of projection
+	double largestCoordinate = 0;             ///< of the candidates' mesh coordinates, in absolute value
+	bool reachesBehindCamera = false;         ///< some triangle of the mesh reaches behind the centre of projection
 
 	static int Next(int h) { return h % 3 == 2 ? h - 2 : h + 1; }
 	static int Previous(int h) { return h % 3 == 0 ? h + 2 : h - 1; }
@@ -91,8 +91,12 @@ inline std::uint8_t OutCodeOf(const LabelSpace& space, const PlaneBox& box, cons
 	if (!IsFinite(q)) return Unusable;
 	if (!space.isInFront(q)) return Unusable | BehindCamera;
 	const vcg::Point2d p = space.project(q);
-	return std::uint8_t((p[0] < box.low[0] ? Left : p[0] > box.high[0] ? Right : 0) |
-	                    (p[1] < box.low[1] ? Below : p[1] > box.high[1] ? Above : 0));
+	return std::uint8_t((p[0] < box.low[0]    ? Left
+	                     : p[0] > box.high[0] ? Right
+	                                          : 0) |
+	                    (p[1] < box.low[1]    ? Below
+	                     : p[1] > box.high[1] ? Above
+	                                          : 0));
 }
 
 /// Pair the half-edges of the candidates: two that run against each other are twins, one alone is a border, the rest is

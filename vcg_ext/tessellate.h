@@ -1,8 +1,8 @@
 #pragma once
 // Regions to triangles.
 //
-// GLU's tessellator does it, as in the paper (section 3.2). It must not add a vertex: a call of its combine callback means that a
-// region crosses itself, and is a conflict. GLU leaves needles, also flat ones between points that lie on one straight edge, so
+// GLU's tessellator does it, as in the paper (section 3.2). It must not add a vertex: when its combine callback is handed
+// two different points, a region crosses itself, and that is a conflict. GLU leaves needles, also flat ones between points that lie on one straight edge, so
 // edges inside a region are then flipped until the worst triangle can't be made better. Region borders are never flipped.
 
 #include "triangle_walk.h"
@@ -27,8 +27,8 @@ public:
 	/// @param[in] rings, first, count  the region's rings: outer counter-clockwise, holes clockwise
 	/// @param[out] triangles  counter-clockwise, appended; #corners + 2 #holes - 2 of them
 	/// @throws WalkConflict when the region crosses itself
-	void triangulate(const std::vector<vcg::Point2d>& plane, const std::vector<vcg::Point3d>& space, const PolylineSet& rings,
-	                 int first, int count, std::vector<IndexTriangle>& triangles);
+	void triangulate(const std::vector<vcg::Point2d>& plane, const std::vector<vcg::Point3d>& space,
+	                 const PolylineSet& rings, int first, int count, std::vector<IndexTriangle>& triangles);
 
 private:
 	using GluPointer = std::unique_ptr<GLUtesselator, void (*)(GLUtesselator*)>;
@@ -41,7 +41,7 @@ private:
 	std::vector<int> corners_;
 	std::vector<IndexTriangle> triangles_;
 	std::vector<int> twin_, pending_;
-	bool combined_ = false;
+	bool crossed_ = false;
 };
 
 /// Shape of a triangle: height over longest edge, 0.87 for an equilateral one, negative when clockwise in the plane.
@@ -64,11 +64,12 @@ inline Tessellator::Tessellator() : glu_(gluNewTess(), gluDeleteTess)
 		static_cast<Tessellator*>(self)->corners_.push_back(int(reinterpret_cast<std::intptr_t>(id)));
 	};
 	const auto combine = +[](GLdouble*, void** data, GLfloat*, void** out, void* self) {
-		static_cast<Tessellator*>(self)->combined_ = true;
+		// a ring that touches its region's border, or itself, in a corner comes here with the same point twice: no crossing
+		if (data[0] != data[1] || data[2] != nullptr) static_cast<Tessellator*>(self)->crossed_ = true;
 		*out = data[0];
 	};
 	const auto edgeFlag = +[](GLboolean, void*) {};  // asks GLU for plain triangles, no fans and strips
-	const auto error = +[](GLenum, void* self) { static_cast<Tessellator*>(self)->combined_ = true; };
+	const auto error = +[](GLenum, void* self) { static_cast<Tessellator*>(self)->crossed_ = true; };
 	gluTessCallback(glu_.get(), GLU_TESS_VERTEX_DATA, reinterpret_cast<Callback>(vertex));
 	gluTessCallback(glu_.get(), GLU_TESS_COMBINE_DATA, reinterpret_cast<Callback>(combine));
 	gluTessCallback(glu_.get(), GLU_TESS_EDGE_FLAG_DATA, reinterpret_cast<Callback>(edgeFlag));
@@ -79,10 +80,11 @@ inline Tessellator::Tessellator() : glu_(gluNewTess(), gluDeleteTess)
 
 inline void Tessellator::runGlu(const std::vector<vcg::Point2d>& plane, const PolylineSet& rings, int first, int count)
 {
-	combined_ = false;
+	crossed_ = false;
 	corners_.clear();
 	coordinates_.clear();
-	coordinates_.reserve(size_t(rings.end(first + count - 1) - rings.begin(first)));  // GLU keeps no copy before the end
+	coordinates_.reserve(
+		size_t(rings.end(first + count - 1) - rings.begin(first)));  // GLU keeps no copy before the end
 	gluTessBeginPolygon(glu_.get(), this);
 	for (int r = first; r < first + count; ++r) {
 		gluTessBeginContour(glu_.get());
@@ -97,18 +99,21 @@ inline void Tessellator::runGlu(const std::vector<vcg::Point2d>& plane, const Po
 }
 
 inline void Tessellator::triangulate(const std::vector<vcg::Point2d>& plane, const std::vector<vcg::Point3d>& space,
-                                     const PolylineSet& rings, int first, int count, std::vector<IndexTriangle>& triangles)
+                                     const PolylineSet& rings, int first, int count,
+                                     std::vector<IndexTriangle>& triangles)
 {
-	const int corners = int(rings.end(first + count - 1) - rings.begin(first)), expected = corners + 2 * (count - 1) - 2;
+	const int corners = int(rings.end(first + count - 1) - rings.begin(first)),
+			  expected = corners + 2 * (count - 1) - 2;
 	const int* ring = rings.begin(first);
 	if (corners == 3) {
 		triangles.push_back({ring[0], ring[1], ring[2]});
 		return;
 	}
 	runGlu(plane, rings, first, count);
-	if (combined_ || int(corners_.size()) != 3 * expected) throw WalkConflict{"a region crosses itself", ring[0]};
+	if (crossed_ || int(corners_.size()) != 3 * expected) throw WalkConflict{"a region crosses itself", ring[0]};
 	triangles_.clear();
-	for (size_t i = 0; i < corners_.size(); i += 3) triangles_.push_back({corners_[i], corners_[i + 1], corners_[i + 2]});
+	for (size_t i = 0; i < corners_.size(); i += 3)
+		triangles_.push_back({corners_[i], corners_[i + 1], corners_[i + 2]});
 	improve(plane, space);
 	triangles.insert(triangles.end(), triangles_.begin(), triangles_.end());
 }
@@ -161,7 +166,7 @@ inline void Tessellator::improve(const std::vector<vcg::Point2d>& plane, const s
 		const double after = std::min(Shape(plane, space, d, b, c), Shape(plane, space, c, a, d));
 		if (!(after > 0 && after > before + gain)) continue;
 		const int bc = twin_[size_t(next(h))], ca = twin_[size_t(next(next(h)))], ad = twin_[size_t(next(g))],
-		          db = twin_[size_t(next(next(g)))];
+				  db = twin_[size_t(next(next(g)))];
 		const int t = h / 3 * 3, s = g / 3 * 3;
 		triangles_[size_t(t / 3)] = {d, b, c};
 		triangles_[size_t(s / 3)] = {c, a, d};

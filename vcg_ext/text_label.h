@@ -20,15 +20,15 @@ struct LabelResult {
 	std::vector<int> outsideFaces;  ///< pieces of cut triangles outside the letters
 	int touchedFaces = 0;           ///< triangles of the mesh that were cut, or lie within a letter
 	int newVertices = 0, newFaces = 0;
-	int firstNewVertex = 0;         ///< index of the first new vertex; the rest follow
-	double labelArea = 0;           ///< in the label plane, world units squared
-	double surfaceArea = 0;         ///< of the letters on the surface before raising, world units squared
-	double addedVolume = 0;         ///< after minus before, mesh units cubed
-	double stretch = 1;             ///< largest ratio of surface length to label length under the letters
-	double room = 0;                ///< to the next surface behind the letters along the rays, world units; infinite if none
-	double resolution = 0;          ///< world units: no point of a contour was moved by more
-	int attempts = 1;               ///< placements tried within the resolution
-	bool survivesFloat32 = true;    ///< false: a double mesh whose letters only double coordinates carry
+	int firstNewVertex = 0;  ///< index of the first new vertex; the rest follow
+	double labelArea = 0;    ///< in the label plane, world units squared
+	double surfaceArea = 0;  ///< of the letters on the surface before raising, world units squared
+	double addedVolume = 0;  ///< after minus before, mesh units cubed
+	double stretch = 1;      ///< largest ratio of surface length to label length under the letters
+	double room = 0;         ///< to the next surface behind the letters along the rays, world units; infinite if none
+	double resolution = 0;   ///< world units: no point of a contour was moved by more
+	int attempts = 1;        ///< placements tried within the resolution
+	bool survivesFloat32 = true;  ///< false: a double mesh whose letters only double coordinates carry
 };
 
 /// Put a label on a mesh.
@@ -51,7 +51,8 @@ inline PlaneBox CheckedBox(const Outline& outline)
 	for (const Contour& c : outline.contours) {
 		if (c.points.size() < 3) throw Error(ErrorCode::BadContour, "fewer than three points").atLetter(c.letter);
 		for (const vcg::Point2d& p : c.points) {
-			if (!std::isfinite(p[0]) || !std::isfinite(p[1])) throw Error(ErrorCode::BadContour, "a point is not finite").atLetter(c.letter);
+			if (!std::isfinite(p[0]) || !std::isfinite(p[1]))
+				throw Error(ErrorCode::BadContour, "a point is not finite").atLetter(c.letter);
 			box.add(p);
 		}
 	}
@@ -98,7 +99,8 @@ void RequireTriangles(const MeshType& m, const Sheet& sheet, const LabelPatch& p
 	for (const int t : patch.removed) {
 		const int face = sheet.triangles[size_t(t)].face;
 		for (int k = 0; k < 3; ++k)
-			if (m.face[size_t(face)].IsF(k)) throw Error(ErrorCode::NotTriangles, "a polygon with faux edges").atFace(face);
+			if (m.face[size_t(face)].IsF(k))
+				throw Error(ErrorCode::NotTriangles, "a polygon with faux edges").atFace(face);
 	}
 }
 
@@ -143,13 +145,17 @@ LabelResult LabelMesh(MeshType& m, const Outline& outline, const LabelFrame& fra
 	result.touchedFaces = int(plan.patch.removed.size());
 	result.newVertices = int(plan.patch.vertices.size());
 	result.newFaces = int(plan.patch.faces.size() - plan.patch.removed.size());
-	for (std::vector<int>* list : {&result.topFaces, &result.wallFaces, &result.outsideFaces}) list->reserve(plan.patch.faces.size());
+	for (std::vector<int>* list : {&result.topFaces, &result.wallFaces, &result.outsideFaces})
+		list->reserve(plan.patch.faces.size());
 	if (options.progress && !options.progress(95)) throw Error(ErrorCode::Cancelled, "the caller said stop");
 	const CommitResult commit = CommitPatch(m, space, sheet, plan.patch);
 	result.firstNewVertex = commit.firstNewVertex;
 	for (size_t i = 0; i < plan.patch.faces.size(); ++i) {
 		const FaceKind kind = plan.patch.faces[i].kind;
-		(kind == FaceKind::Top ? result.topFaces : kind == FaceKind::Wall ? result.wallFaces : result.outsideFaces).push_back(commit.faces[i]);
+		(kind == FaceKind::Top    ? result.topFaces
+		 : kind == FaceKind::Wall ? result.wallFaces
+		                          : result.outsideFaces)
+			.push_back(commit.faces[i]);
 	}
 	return result;
 }

@@ -90,47 +90,67 @@ inline int Flatten(const Corners& t, int axis, Flat& flat)
 inline int EdgeSeparation(const Flat& a, const Flat& b)
 {
 	int best = -1;
-	for (size_t i = 0; i < 3; ++i) {
+	for (size_t i = 0; i < 3 && best < 1; ++i) {
 		int inmost = -1;
-		for (size_t j = 0; j < 3; ++j) inmost = std::max(inmost, Orient2d(a[i], a[(i + 1) % 3], b[j]));
+		for (size_t j = 0; j < 3 && inmost < 1; ++j) inmost = std::max(inmost, Orient2d(a[i], a[(i + 1) % 3], b[j]));
 		best = std::max(best, -inmost);
 	}
 	return best;
 }
 
-/// Whether two edges that leave the shared corner `from`, of triangles with area, run along each other.
+/// Whether p and q, which lie on one line with `from`, lie on the same side of it.
 inline bool SameDirection(const vcg::Point2d& from, const vcg::Point2d& p, const vcg::Point2d& q)
 {
-	if (Orient2d(from, p, q) != 0) return false;
 	const int axis = p[0] != from[0] ? 0 : 1;
 	return (p[axis] > from[axis]) == (q[axis] > from[axis]);
 }
 
-/// Whether an edge of a and one of b that leave their only shared corner run along each other.
-inline bool EdgesRunTogether(const Flat& a, const Flat& b)
+/// The contact of counter-clockwise triangles that share their first corner and no other.
+/// Two wedges are apart when a side of one of them has the other on its far side.
+inline Contact WedgeContact(const Flat& a, const Flat& b)
 {
-	for (size_t i = 0; i < 3; ++i)
-		for (size_t j = 0; j < 3; ++j)
-			if (a[i] == b[j])
-				for (size_t k = 1; k < 3; ++k)
-					for (size_t l = 1; l < 3; ++l)
-						if (SameDirection(a[i], a[(i + k) % 3], b[(j + l) % 3])) return true;
-	return false;
+	const int a1b1 = Orient2d(a[0], a[1], b[1]), a1b2 = Orient2d(a[0], a[1], b[2]);
+	const int a2b1 = Orient2d(a[0], a[2], b[1]), a2b2 = Orient2d(a[0], a[2], b[2]);
+	const bool apart =
+		(a1b1 <= 0 && a1b2 <= 0) || (a2b1 >= 0 && a2b2 >= 0) || (a1b1 >= 0 && a2b1 >= 0) || (a1b2 <= 0 && a2b2 <= 0);
+	if (!apart) return Contact::Overlaps;
+	const bool edgesRunTogether =
+		(a1b2 == 0 && SameDirection(a[0], a[1], b[2])) || (a2b1 == 0 && SameDirection(a[0], a[2], b[1]));
+	return edgesRunTogether ? Contact::Touches : Contact::SharesOnly;
+}
+
+/// Whether neighbours lie on the same side of their common edge, told by which way each runs along it.
+/// @param[in] sameTurn  whether both are seen with the same orientation
+inline bool IsFolded(const SharedCorners& shared, bool sameTurn)
+{
+	const bool alongA = (shared.inA[1] - shared.inA[0] + 3) % 3 == 1,
+			   alongB = (shared.inB[1] - shared.inB[0] + 3) % 3 == 1;
+	return (alongA == alongB) == sameTurn;
+}
+
+inline Corners StartingAt(Corners t, int corner)
+{
+	std::rotate(t.begin(), t.begin() + corner, t.end());
+	return t;
 }
 
 /// The contact of triangles in one plane, or of any pair of which one has no area.
-inline Contact CoplanarContact(const Corners& a, const Corners& b, int sharedCount)
+inline Contact CoplanarContact(Corners a, Corners b, const SharedCorners& shared)
 {
+	if (shared.count == 1) {
+		a = StartingAt(a, shared.inA[0]);
+		b = StartingAt(b, shared.inB[0]);
+	}
 	Flat fa, fb;
-	int axis = 0;
-	while (axis < 3 && Flatten(a, axis, fa) == 0) ++axis;
-	if (axis == 3 || Flatten(b, axis, fb) == 0) return Contact::NoArea;
+	int axis = 0, turnA = 0;
+	while (axis < 3 && (turnA = Flatten(a, axis, fa)) == 0) ++axis;
+	const int turnB = axis < 3 ? Flatten(b, axis, fb) : 0;
+	if (turnB == 0) return Contact::NoArea;
+	if (shared.count == 3) return Contact::Overlaps;
+	if (shared.count == 2) return IsFolded(shared, turnA == turnB) ? Contact::Overlaps : Contact::SharesOnly;
+	if (shared.count == 1) return WedgeContact(fa, fb);
 	const int apart = std::max(EdgeSeparation(fa, fb), EdgeSeparation(fb, fa));
-	if (apart < 0) return Contact::Overlaps;
-	if (apart > 0) return Contact::Disjoint;
-	if (sharedCount == 0) return Contact::Touches;
-	// Two shared corners and no area in common: the shared edge is a side of each, and nothing lies on its line beyond.
-	return sharedCount == 1 && EdgesRunTogether(fa, fb) ? Contact::Touches : Contact::SharesOnly;
+	return apart < 0 ? Contact::Overlaps : apart == 0 ? Contact::Touches : Contact::Disjoint;
 }
 
 /// The sides of a plane on which the corners of a triangle lie.
@@ -175,11 +195,11 @@ inline size_t LoneCorner(const Sides& s)
 ///            /   \              the right, r on the left: they overlap when pq of a is left of pq of b, and pr of b left
 ///     -----/-------\---- line   of pr of a
 ///         q         r
-inline Contact SpatialContact(Corners a, Corners b, const Sides& sidesA, const Sides& sidesB, int sharedCount)
+inline Contact SpatialContact(const Corners& cornersA, const Corners& cornersB, const Sides& sidesA,
+                              const Sides& sidesB, int sharedCount)
 {
 	const size_t pa = LoneCorner(sidesA), pb = LoneCorner(sidesB);
-	std::rotate(a.begin(), a.begin() + static_cast<std::ptrdiff_t>(pa), a.end());
-	std::rotate(b.begin(), b.begin() + static_cast<std::ptrdiff_t>(pb), b.end());
+	Corners a = StartingAt(cornersA, static_cast<int>(pa)), b = StartingAt(cornersB, static_cast<int>(pb));
 	if (sidesA[pa] < sidesA[(pa + 1) % 3]) std::swap(b[1], b[2]);
 	if (sidesB[pb] < sidesB[(pb + 1) % 3]) std::swap(a[1], a[2]);
 
@@ -206,20 +226,20 @@ inline bool BoxesMeet(const Corners& a, const Corners& b)
 inline Contact ContactWithinBoxes(const Corners& a, const Corners& b)
 {
 	const detail::SharedCorners shared = detail::FindShared(a, b);
-	if (shared.count == 3) return detail::CoplanarContact(a, b, 3);
+	if (shared.count == 3) return detail::CoplanarContact(a, b, shared);
 	const Contact apart = shared.count > 0 ? Contact::SharesOnly : Contact::Disjoint;
 	if (shared.count == 2) {
 		const size_t apex = static_cast<size_t>(3 - shared.inB[0] - shared.inB[1]);
 		// Neighbours out of one plane, the most frequent case of all, meet along their common edge and nowhere else.
 		if (apex < 3 && Orient3d(a[0], a[1], a[2], b[apex]) != 0) return apart;
-		return detail::CoplanarContact(a, b, 2);
+		return detail::CoplanarContact(a, b, shared);
 	}
 	const bool shares = shared.count == 1;
 	const detail::Sides sidesB = detail::SidesOf(a, b);
 	if (detail::StaysOut(sidesB, shares ? shared.inB[0] : -1)) return apart;
 	const detail::Sides sidesA = detail::SidesOf(b, a);
 	if (detail::StaysOut(sidesA, shares ? shared.inA[0] : -1)) return apart;
-	if (detail::AllZero(sidesA) && detail::AllZero(sidesB)) return detail::CoplanarContact(a, b, shared.count);
+	if (detail::AllZero(sidesA) && detail::AllZero(sidesB)) return detail::CoplanarContact(a, b, shared);
 	if (detail::AllZero(sidesA) || detail::AllZero(sidesB)) return Contact::NoArea;
 	return detail::SpatialContact(a, b, sidesA, sidesB, shared.count);
 }

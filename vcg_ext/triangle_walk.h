@@ -38,10 +38,11 @@ struct PolylineSet {
 
 /// One triangle and the contour pieces that cross it.
 struct TriangleCase {
-	std::vector<vcg::Point2d> points;  ///< #P by 2; the first `borderCount` are the border, counter-clockwise from corner 0
-	int borderCount = 0;               ///< corners and the points on the edges between them
-	PolylineSet chains;                ///< from border point to border point through inner points; inside of the letter to the left
-	PolylineSet loops;                 ///< closed contours that lie wholly within
+	std::vector<vcg::Point2d>
+		points;           ///< #P by 2; the first `borderCount` are the border, counter-clockwise from corner 0
+	int borderCount = 0;  ///< corners and the points on the edges between them
+	PolylineSet chains;   ///< from border point to border point through inner points; inside of the letter to the left
+	PolylineSet loops;    ///< closed contours that lie wholly within
 
 	void clear()
 	{
@@ -57,11 +58,11 @@ enum class Side : signed char { Outside = -1, Unknown = 0, Inside = 1 };
 /// The regions that tile a triangle.
 struct RegionSet {
 	struct Region {
-		Side side;       ///< Unknown only when no contour piece lies in the triangle
-		int firstRing;   ///< ring `firstRing` is the outer boundary, the rest are holes, clockwise
+		Side side;      ///< Unknown only when no contour piece lies in the triangle
+		int firstRing;  ///< ring `firstRing` is the outer boundary, the rest are holes, clockwise
 		int ringCount;
 	};
-	PolylineSet rings;                ///< indices into TriangleCase::points
+	PolylineSet rings;  ///< indices into TriangleCase::points
 	std::vector<Region> regions;
 	std::vector<int> regionAtBorder;  ///< #borderCount: the region along the border piece from point i to point i+1
 
@@ -136,7 +137,8 @@ inline void TriangleWalk::indexChains(const TriangleCase& c)
 		if (c.chains.length(i) < 2 || from >= c.borderCount || to >= c.borderCount)
 			throw WalkConflict{"a chain does not run from border to border", from};
 		if (chainFrom_[size_t(from)] >= 0 || chainTo_[size_t(to)] >= 0)
-			throw WalkConflict{"two chains share a border point in the same direction", chainFrom_[size_t(from)] >= 0 ? from : to};
+			throw WalkConflict{"two chains share a border point in the same direction",
+			                   chainFrom_[size_t(from)] >= 0 ? from : to};
 		chainFrom_[size_t(from)] = i;
 		chainTo_[size_t(to)] = i;
 	}
@@ -144,7 +146,8 @@ inline void TriangleWalk::indexChains(const TriangleCase& c)
 
 inline void TriangleWalk::walkRegions(const TriangleCase& c, Side side, RegionSet& out)
 {
-	const int n = c.borderCount, turn = side == Side::Outside ? -1 : 1;  // right of the contour: clockwise along the border
+	const int n = c.borderCount,
+			  turn = side == Side::Outside ? -1 : 1;  // right of the contour: clockwise along the border
 	walked_.assign(size_t(c.chains.size()), 0);
 	for (int first = 0; first < c.chains.size(); ++first) {
 		if (walked_[size_t(first)]) continue;
@@ -156,7 +159,8 @@ inline void TriangleWalk::walkRegions(const TriangleCase& c, Side side, RegionSe
 			int p = *(c.chains.end(chain) - 1), next = chainFrom_[size_t(p)];
 			const vcg::Point2d* at = c.points.data();
 			const int before = *(c.chains.end(chain) - 2);
-			const bool straightOn = next >= 0 && Orient2d(at[before], at[p], at[*(c.chains.begin(next) + 1)]) * turn > 0;
+			const bool straightOn =
+				next >= 0 && Orient2d(at[before], at[p], at[*(c.chains.begin(next) + 1)]) * turn > 0;
 			while (!straightOn) {  // along the border to the next entry point
 				ring_.push_back(p);
 				const int piece = turn > 0 ? p : (p + n - 1) % n;
@@ -218,7 +222,8 @@ inline void TriangleWalk::nestLoops(const TriangleCase& c, RegionSet& out)
 		const int loop = order_[size_t(k)];
 		const vcg::Point2d& p = c.points[size_t(*c.loops.begin(loop))];
 		for (int j = k - 1; j >= 0 && parent_[size_t(k)] < 0; --j)
-			if (isInRing(c, c.loops.begin(order_[size_t(j)]), c.loops.end(order_[size_t(j)]), p)) parent_[size_t(k)] = outer + j;
+			if (isInRing(c, c.loops.begin(order_[size_t(j)]), c.loops.end(order_[size_t(j)]), p))
+				parent_[size_t(k)] = outer + j;
 		for (int r = 0; r < outer && parent_[size_t(k)] < 0; ++r) {
 			const int ring = out.regions[size_t(r)].firstRing;
 			if (outer == 1 || isInRing(c, out.rings.begin(ring), out.rings.end(ring), p)) parent_[size_t(k)] = r;
@@ -262,7 +267,8 @@ inline void TriangleWalk::checkAreas(const TriangleCase& c, const RegionSet& out
 		whole += (c.points[size_t(i)] - c.points[0]) ^ (c.points[size_t((i + 1) % c.borderCount)] - c.points[0]);
 	for (const RegionSet::Region& r : out.regions) {
 		double area = 0;
-		for (int i = r.firstRing; i < r.firstRing + r.ringCount; ++i) area += twiceArea(c, out.rings.begin(i), out.rings.end(i));
+		for (int i = r.firstRing; i < r.firstRing + r.ringCount; ++i)
+			area += twiceArea(c, out.rings.begin(i), out.rings.end(i));
 		if (!(area > 0)) throw WalkConflict{"a region is turned round", *out.rings.begin(r.firstRing)};
 		sum += area;
 	}
