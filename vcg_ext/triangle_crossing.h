@@ -153,13 +153,16 @@ inline Contact CoplanarContact(Corners a, Corners b, const SharedCorners& shared
 	return apart < 0 ? Contact::Overlaps : apart == 0 ? Contact::Touches : Contact::Disjoint;
 }
 
-/// The sides of a plane on which the corners of a triangle lie.
+/// The sides of a plane on which the corners of a triangle lie: +1, 0, -1 each.
 using Sides = std::array<int, 3>;
 
-inline Sides SidesOf(const Corners& plane, const Corners& t)
+/// @param[in] corner  the corner of t that is known to lie in the plane; -1: none
+inline Sides SidesOf(const Corners& plane, const Corners& t, int corner)
 {
-	return {Orient3d(plane[0], plane[1], plane[2], t[0]), Orient3d(plane[0], plane[1], plane[2], t[1]),
-	        Orient3d(plane[0], plane[1], plane[2], t[2])};
+	Sides s{};
+	for (int i = 0; i < 3; ++i)
+		if (i != corner) s[static_cast<size_t>(i)] = Orient3d(plane[0], plane[1], plane[2], t[static_cast<size_t>(i)]);
+	return s;
 }
 
 inline bool AllZero(const Sides& s) { return s[0] == 0 && s[1] == 0 && s[2] == 0; }
@@ -235,10 +238,11 @@ inline Contact ContactWithinBoxes(const Corners& a, const Corners& b)
 		return detail::CoplanarContact(a, b, shared);
 	}
 	const bool shares = shared.count == 1;
-	const detail::Sides sidesB = detail::SidesOf(a, b);
-	if (detail::StaysOut(sidesB, shares ? shared.inB[0] : -1)) return apart;
-	const detail::Sides sidesA = detail::SidesOf(b, a);
-	if (detail::StaysOut(sidesA, shares ? shared.inA[0] : -1)) return apart;
+	const int cornerA = shares ? shared.inA[0] : -1, cornerB = shares ? shared.inB[0] : -1;
+	const detail::Sides sidesB = detail::SidesOf(a, b, cornerB);
+	if (detail::StaysOut(sidesB, cornerB)) return apart;
+	const detail::Sides sidesA = detail::SidesOf(b, a, cornerA);
+	if (detail::StaysOut(sidesA, cornerA)) return apart;
 	if (detail::AllZero(sidesA) && detail::AllZero(sidesB)) return detail::CoplanarContact(a, b, shared);
 	if (detail::AllZero(sidesA) || detail::AllZero(sidesB)) return Contact::NoArea;
 	return detail::SpatialContact(a, b, sidesA, sidesB, shared.count);
