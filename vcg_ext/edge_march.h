@@ -20,10 +20,10 @@ namespace vcg::textlabel {
 struct PathNode {
 	enum Kind { OnVertex, OnEdge, InFace };
 	Kind kind = InFace;
-	int where = -1;      ///< vertex, canonical half-edge, or triangle of the sheet
-	double along = 0;    ///< OnEdge: 0..1 from the start of the canonical half-edge, in the label plane
-	vcg::Point2d plane;  ///< in the label plane
-	int triangle = -1;   ///< the triangle through which the march came here
+	int where = -1;            ///< vertex, canonical half-edge, or triangle of the sheet
+	double along = 0;          ///< OnEdge: 0..1 from the start of the canonical half-edge, in the label plane
+	vcg::Point2d plane{0, 0};  ///< in the label plane
+	int triangle = -1;         ///< the triangle through which the march came here
 };
 
 /// A contour on the sheet: a closed chain of nodes; piece i runs from node i to node i+1.
@@ -41,6 +41,7 @@ struct SheetPath {
 struct PlacementConflict {
 	const char* why;
 	vcg::Point2d place;
+	ErrorCode code = ErrorCode::TooFine;  ///< what to say when no shift helps
 };
 
 /// Lays contours on a sheet.
@@ -290,7 +291,7 @@ inline SheetPath EdgeMarch::march(const std::vector<vcg::Point2d>& points, int t
 		}
 	}
 	if (path.nodes.size() < 4 || !areSame(path.nodes.front(), path.nodes.back()))
-		throw PlacementConflict{"the contour does not close on the sheet", points[0]};
+		throw PlacementConflict{"the contour does not close on the sheet", points[0], ErrorCode::Occluded};
 	path.nodes.front() = path.nodes.back();  // keeps the triangle that the last piece comes through
 	path.nodes.pop_back();
 	removeSpikes(path.nodes);

@@ -54,6 +54,8 @@ public:
 	/// @param[in] seeds  #contours: a facing sheet triangle that holds the contour's first point
 	/// @throws Error{Border, Silhouette, NonManifold, Occluded}, PlacementConflict
 	CutLabel cut(const Outline& outline, const std::vector<int>& seeds);
+	/// The triangles that contours cross or touch, as far as they were laid; also when cut() threw.
+	std::vector<int> visited() const;
 
 private:
 	struct EdgePoint {
@@ -133,6 +135,20 @@ inline CutLabel LabelCutter::cut(const Outline& outline, const std::vector<int>&
 	floodInside();
 	finish(outline);
 	return std::move(out_);
+}
+
+inline std::vector<int> LabelCutter::visited() const
+{
+	std::vector<int> triangles;
+	for (const SheetPath& path : paths_)
+		for (const PathNode& node : path.nodes) {
+			triangles.push_back(node.triangle);
+			if (node.kind == PathNode::OnEdge && sheet_.twin[size_t(node.where)] >= 0)
+				for (const int h : {node.where, sheet_.twin[size_t(node.where)]}) triangles.push_back(h / 3);
+		}
+	std::sort(triangles.begin(), triangles.end());
+	triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
+	return triangles;
 }
 
 inline void LabelCutter::addSheetVertices()
@@ -466,7 +482,7 @@ inline void LabelCutter::finish(const Outline& outline)
 	const double area = Area(outline), allowed = rounding * area + 8 * snap_ * perimeter;
 	if (!(std::abs(out_.insideArea - area) <= allowed))
 		throw PlacementConflict{"the letters do not keep their area: the sheet covers itself",
-		                        outline.contours[0].points[0]};
+		                        outline.contours[0].points[0], ErrorCode::Occluded};
 }
 
 }  // namespace vcg::textlabel

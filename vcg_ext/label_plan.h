@@ -8,6 +8,7 @@
 // again, in a fixed spiral, so that the same input always gives the same bytes. No point of a contour moves by more than
 // `resolution`, which is what the result states. No vertex of the mesh moves, ever.
 
+#include "cut_repair.h"
 #include "label_clearance.h"
 #include "label_seed.h"
 #include "patch_check.h"
@@ -53,19 +54,21 @@ struct Precision {
 /// @throws Error
 class LabelPlanner {
 public:
-	LabelPlanner(const LabelSpace& space, const Sheet& sheet, Precision precision, const LabelOptions& options);
+	/// @param[in,out] sheet  caps under the letters may be flipped away (cut_repair.h)
+	LabelPlanner(const LabelSpace& space, Sheet& sheet, Precision precision, const LabelOptions& options);
 
 	/// World units: the least width of stroke that the coordinates carry here.
 	double leastStroke() const { return strokeUlps * ulp_; }
-	LabelPlan plan(const Outline& outline) const;
+	LabelPlan plan(const Outline& outline);
 
 private:
-	static constexpr double snapUlps = 4, strokeUlps = 64, shiftUlps = 3;
+	static constexpr double snapUlps = 4, strokeUlps = 64, shiftUlps = 3, shortestUlps = 2, capUlps = 6;
 	static constexpr int mostAttempts = 8;
 	static constexpr int bisections = 10;
 
 	Outline prepared(const Outline& outline, const vcg::Point2d& shift) const;
-	bool attempt(const Outline& outline, LabelPlan& plan, PlacementConflict& conflict) const;
+	bool attempt(const Outline& outline, LabelPlan& plan, PlacementConflict& conflict);
+	void finish(LabelPlan& plan) const;
 	void measureSurface(LabelPlan& plan) const;
 	void checkRoom(LabelPlan& plan) const;
 	[[noreturn]] void refuseHeight(const LabelPlan& plan, const PatchVerdict& verdict) const;
@@ -73,18 +76,18 @@ private:
 	void report(int percent) const;
 
 	const LabelSpace& space_;
-	const Sheet& sheet_;
+	Sheet& sheet_;
 	Precision precision_;
 	const LabelOptions& options_;
-	double ulp_, snap_;
+	double meshUlp_, ulp_, snap_;
 };
 
 // ---------------------------------------------------------------------------------------------------------------------------
 
-inline LabelPlanner::LabelPlanner(const LabelSpace& space, const Sheet& sheet, Precision precision,
+inline LabelPlanner::LabelPlanner(const LabelSpace& space, Sheet& sheet, Precision precision,
                                   const LabelOptions& options)
 	: space_(space), sheet_(sheet), precision_(precision), options_(options),
-	  ulp_(precision.ulp(sheet.largestCoordinate) * space.scale()), snap_(snapUlps * ulp_)
+	  meshUlp_(precision.ulp(sheet.largestCoordinate)), ulp_(meshUlp_ * space.scale()), snap_(snapUlps * ulp_)
 {}
 
 inline void LabelPlanner::report(int percent) const
@@ -119,7 +122,7 @@ inline Outline LabelPlanner::prepared(const Outline& outline, const vcg::Point2d
 	return out;
 }
 
-inline LabelPlan LabelPlanner::plan(const Outline& outline) const
+inline LabelPlan LabelPlanner::plan(const Outline& outline)
 {
 	PlacementConflict conflict{"", {0, 0}};
 	for (int i = 0; i < mostAttempts; ++i) {
@@ -132,27 +135,47 @@ inline LabelPlan LabelPlanner::plan(const Outline& outline) const
 		report(10);
 	}
 	vcg::Point3d onPlane(conflict.place[0], conflict.place[1], 0);
-	throw Error(ErrorCode::TooFine, conflict.why).atPlace(space_.toMesh(onPlane)).measured(0, leastStroke());
+	throw Error(conflict.code, conflict.why).atPlace(space_.toMesh(onPlane)).measured(0, leastStroke());
 }
 
-inline bool LabelPlanner::attempt(const Outline& outline, LabelPlan& plan, PlacementConflict& conflict) const
+/// Lay the label once, and once more without the caps that it met when they stand in its way.
+inline bool LabelPlanner::attempt(const Outline& outline, LabelPlan& plan, PlacementConflict& conflict)
 {
-	try {
+	constexpr int rounds = 4;  // a flip may leave a lower cap beside it
+	for (int round = 0; round < rounds; ++round) {
 		const std::vector<int> seeds = FindSeeds(space_, sheet_, outline, snap_);
-		plan.cut = LabelCutter(space_, sheet_, snap_).cut(outline, seeds);
-		report(40);
-		measureSurface(plan);
-		checkRoom(plan);
-		report(60);
-		plan.patch = RaiseLabel(space_, sheet_, plan.cut, options_.height, options_.along);
-		const PatchVerdict verdict = check(plan.patch);
-		if (verdict.fault == PatchFault::Sound) return true;
-		conflict = {"rounded coordinates spoil the label", space_.project(space_.toLabel(verdict.place))};
-		if (options_.height != 0 && verdict.fault >= PatchFault::Folded) refuseHeight(plan, verdict);
-	} catch (const PlacementConflict& c) {
-		conflict = c;
+		LabelCutter cutter(space_, sheet_, snap_);
+		try {
+			plan.cut = cutter.cut(outline, seeds);
+			finish(plan);
+			return true;
+		} catch (const PlacementConflict& c) {
+			conflict = c;
+			plan.surfaceArea = 0;
+			plan.stretch = 1;
+		}
+		if (!FlipCaps(sheet_, cutter.visited(), capUlps * meshUlp_)) break;
 	}
 	return false;
+}
+
+/// From the cut to a patch that is sound on rounded coordinates.
+inline void LabelPlanner::finish(LabelPlan& plan) const
+{
+	report(40);
+	measureSurface(plan);
+	checkRoom(plan);
+	report(60);
+	plan.patch = RaiseLabel(space_, sheet_, plan.cut, options_.height, options_.along);
+	PatchVerdict verdict = check(plan.patch);
+	if (verdict.fault != PatchFault::Sound) {
+		CollapseShortEdges(sheet_, plan.cut, shortestUlps * meshUlp_);
+		plan.patch = RaiseLabel(space_, sheet_, plan.cut, options_.height, options_.along);
+		verdict = check(plan.patch);
+	}
+	if (verdict.fault == PatchFault::Sound) return;
+	if (options_.height != 0 && verdict.fault >= PatchFault::Folded) refuseHeight(plan, verdict);
+	throw PlacementConflict{"rounded coordinates spoil the label", space_.project(space_.toLabel(verdict.place))};
 }
 
 inline void LabelPlanner::measureSurface(LabelPlan& plan) const
@@ -167,6 +190,9 @@ inline void LabelPlanner::measureSurface(LabelPlan& plan) const
 		const vcg::Point3d &a = sheet_.vertices[size_t(v[0])].label, &b = sheet_.vertices[size_t(v[1])].label,
 						   &c = sheet_.vertices[size_t(v[2])].label, middle = (a + b + c) / 3;
 		const vcg::Point3d normal = (b - a) ^ (c - a);
+		const double longest =
+			std::sqrt(std::max({(b - a).SquaredNorm(), (c - b).SquaredNorm(), (a - c).SquaredNorm()}));
+		if (normal.Norm() <= 2 * snap_ * longest) continue;  // thinner than the resolution: its normal says nothing
 		const double cosine = normal * space_.towardsViewer(middle) / normal.Norm();
 		const double stretch = 1 / (cosine * space_.magnification(middle));
 		plan.stretch = std::max(plan.stretch, stretch);

@@ -142,6 +142,11 @@ inline LabelPatch RaiseLabel(const LabelSpace& space, const Sheet& sheet, const 
 	}
 	patch.removed.insert(patch.removed.end(), cut.within.begin(), cut.within.end());
 	std::sort(patch.removed.begin(), patch.removed.end());
+	for (const int t : sheet.flipped)
+		if (!std::binary_search(patch.removed.begin(), patch.removed.end(), t)) {
+			patch.faces.push_back({sheet.triangles[size_t(t)].vertex, t, FaceKind::Outside});
+			patch.removed.insert(std::lower_bound(patch.removed.begin(), patch.removed.end(), t), t);
+		}
 	if (height == 0) return patch;
 	std::sort(besidePiece.begin(), besidePiece.end());
 	for (const ContourPiece& piece : cut.pieces) {

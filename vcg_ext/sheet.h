@@ -18,6 +18,7 @@
 
 #include <array>
 #include <cstdint>
+#include <vcg/complex/complex.h>
 #include <vector>
 
 namespace vcg::textlabel {
@@ -43,6 +44,8 @@ struct Sheet {
 	std::vector<SheetTriangle> triangles;
 	std::vector<int> twin;                    ///< #T*3: the half-edge on the other side, or a HalfEdgeKind
 	std::vector<int> vertexStart, vertexFan;  ///< CSR: candidates around each vertex
+	bool mayFlip = true;                      ///< false when faces carry attributes that a flipped edge would smear
+	std::vector<int> flipped;                 ///< triangles changed by FlipCaps (cut_repair.h), ascending
 	double largestCoordinate = 0;             ///< of the candidates' mesh coordinates, in absolute value
 	bool reachesBehindCamera = false;         ///< some triangle of the mesh reaches behind the centre of projection
 
@@ -158,6 +161,7 @@ Sheet CollectSheet(const MeshType& m, const LabelSpace& space, const PlaneBox& b
 		if (!m.vert[v].IsD()) code[v] = detail::OutCodeOf(space, box, pointOf(v));
 
 	Sheet sheet;
+	sheet.mayFlip = !vcg::tri::HasPerWedgeTexCoord(m) && !vcg::tri::HasPerFaceColor(m);
 	std::vector<std::array<int, 3>> corners;
 	for (size_t f = 0; f < m.face.size(); ++f) {
 		if (m.face[f].IsD()) continue;
@@ -166,7 +170,8 @@ Sheet CollectSheet(const MeshType& m, const LabelSpace& space, const PlaneBox& b
 		if (space.mirrors()) std::swap(v[1], v[2]);
 		const std::uint8_t a = code[size_t(v[0])], b = code[size_t(v[1])], c = code[size_t(v[2])];
 		if ((a | b | c) & detail::Unusable) {
-			if ((a | b | c) & detail::BehindCamera) sheet.reachesBehindCamera = true;
+			if (((a | b | c) & detail::BehindCamera) && !(a & b & c & detail::BehindCamera))
+				sheet.reachesBehindCamera = true;
 			continue;
 		}
 		if (a & b & c) continue;

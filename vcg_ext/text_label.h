@@ -114,7 +114,7 @@ LabelResult LabelMesh(MeshType& m, const Outline& outline, const LabelFrame& fra
 	const LabelSpace space(frame);
 	PlaneBox box = detail::CheckedBox(outline);
 	box.grow(std::abs(options.height) + (box.width() + box.height()) * 1e-3);
-	const Sheet sheet = CollectSheet(m, space, box);
+	Sheet sheet = CollectSheet(m, space, box);
 
 	constexpr bool isDouble = std::is_same_v<typename MeshType::ScalarType, double>;
 	LabelPlan plan;

@@ -1,0 +1,188 @@
+#pragma once
+// Repairs below the resolution.
+//
+// CAD exports are full of triangles thinner than the step between coordinates. A contour that crosses one leaves two points that
+// rounding makes one, or a piece that rounding turns round. Two repairs, both local and both tried only where needed:
+//  - an edge of the cut that is shorter than the resolution and has a new end is collapsed, when the surface stays a manifold and no
+//    triangle turns round (link condition; Dey et al., "Topology preserving edge contraction", 1999);
+//  - a *cap*, a triangle whose obtuse corner lies within the resolution of the opposite edge, is removed by flipping that edge. The
+//    surface moves by less than the cap's height.
+// No vertex of the mesh moves or goes.
+
+#include "label_cut.h"
+
+namespace vcg::textlabel {
+
+/// Collapse the edges of a cut that are too short to survive rounding.
+/// @param[in] shortest  mesh units
+void CollapseShortEdges(const Sheet& sheet, CutLabel& cut, double shortest);
+
+/// Flip away the caps among some triangles of a sheet; the sheet remembers which it changed.
+/// @param[in] triangles  sheet triangles to look at
+/// @param[in] thinnest  mesh units: caps lower than this go
+/// @return whether anything was flipped
+bool FlipCaps(Sheet& sheet, const std::vector<int>& triangles, double thinnest);
+
+// ---------------------------------------------------------------------------------------------------------------------------
+
+namespace detail {
+
+/// One cut, while its short edges are collapsed.
+class EdgeCollapser {
+public:
+	EdgeCollapser(const Sheet& sheet, CutLabel& cut) : sheet_(sheet), cut_(cut) {}
+
+	void run(std::vector<std::pair<int, int>> edges)
+	{
+		bool changed = false;
+		for (auto [a, b] : edges) {
+			if (gone(a) || gone(b))
+				continue;                // its neighbourhood has changed already; the next round sees what is left
+			if (a > b) std::swap(a, b);  // the old vertex, or the earlier point, stays
+			if (isCollapsible(a, b)) {
+				collapse(a, b);
+				changed = true;
+			}
+		}
+		if (!changed) return;
+		auto& t = cut_.triangles;
+		t.erase(std::remove_if(t.begin(), t.end(), [](const CutTriangle& c) { return c.parent < 0; }), t.end());
+		auto& p = cut_.pieces;
+		p.erase(std::remove_if(p.begin(), p.end(), [](const ContourPiece& c) { return c.from == c.to; }), p.end());
+	}
+
+private:
+	bool gone(int point) const { return std::find(gone_.begin(), gone_.end(), point) != gone_.end(); }
+	static bool has(const IndexTriangle& t, int point) { return t[0] == point || t[1] == point || t[2] == point; }
+
+	/// Visit all triangles around a point, of the cut and of what the cut left whole.
+	template <class Use>
+	void eachAround(int point, Use&& use) const
+	{
+		for (const CutTriangle& t : cut_.triangles)
+			if (t.parent >= 0 && has(t.point, point)) use(t.point);
+		if (point >= int(sheet_.vertices.size())) return;
+		for (int i = sheet_.vertexStart[size_t(point)]; i < sheet_.vertexStart[size_t(point) + 1]; ++i) {
+			const int t = sheet_.vertexFan[size_t(i)];
+			if (!std::binary_search(cut_.touched.begin(), cut_.touched.end(), t))
+				use(sheet_.triangles[size_t(t)].vertex);
+		}
+	}
+	std::vector<int> neighbours(int point) const
+	{
+		std::vector<int> out;
+		eachAround(point, [&](const IndexTriangle& t) {
+			for (const int v : t)
+				if (v != point) out.push_back(v);
+		});
+		std::sort(out.begin(), out.end());
+		out.erase(std::unique(out.begin(), out.end()), out.end());
+		return out;
+	}
+	/// b goes into a.
+	bool isCollapsible(int a, int b) const
+	{
+		int faces = 0;
+		eachAround(b, [&](const IndexTriangle& t) { faces += has(t, a); });
+		const std::vector<int> na = neighbours(a), nb = neighbours(b);
+		std::vector<int> common;
+		std::set_intersection(na.begin(), na.end(), nb.begin(), nb.end(), std::back_inserter(common));
+		if (faces == 0 || int(common.size()) != faces) return false;
+		bool aOnContour = false, joined = false;
+		for (const ContourPiece& p : cut_.pieces) {
+			aOnContour = aOnContour || p.from == a;
+			joined = joined || (p.from == a && p.to == b) || (p.from == b && p.to == a);
+		}
+		if (aOnContour && !joined) return false;  // would pinch two pieces together
+		for (const CutTriangle& t : cut_.triangles) {
+			if (t.parent < 0 || !has(t.point, b) || has(t.point, a) || !sheet_.triangles[size_t(t.parent)].facing)
+				continue;
+			std::array<vcg::Point2d, 3> p;
+			for (size_t k = 0; k < 3; ++k) p[k] = cut_.points[size_t(t.point[k] == b ? a : t.point[k])].plane;
+			if (Orient2d(p[0], p[1], p[2]) <= 0) return false;
+		}
+		return true;
+	}
+	void collapse(int a, int b)
+	{
+		for (CutTriangle& t : cut_.triangles) {
+			if (t.parent < 0 || !has(t.point, b)) continue;
+			if (has(t.point, a)) t.parent = -1;
+			for (int& v : t.point)
+				if (v == b) v = a;
+		}
+		for (ContourPiece& p : cut_.pieces) {
+			if (p.from == b) p.from = a;
+			if (p.to == b) p.to = a;
+		}
+		gone_.push_back(b);
+		gone_.push_back(a);
+	}
+
+	const Sheet& sheet_;
+	CutLabel& cut_;
+	std::vector<int> gone_;
+};
+
+}  // namespace detail
+
+inline void CollapseShortEdges(const Sheet& sheet, CutLabel& cut, double shortest)
+{
+	constexpr int rounds = 3;  // a collapse may leave another short edge beside it
+	for (int round = 0; round < rounds; ++round) {
+		std::vector<std::pair<int, int>> edges;
+		for (const CutTriangle& t : cut.triangles)
+			for (size_t k = 0; k < 3; ++k) {
+				const int a = t.point[k], b = t.point[(k + 1) % 3];
+				if (std::max(a, b) < int(sheet.vertices.size())) continue;
+				if ((cut.points[size_t(a)].mesh - cut.points[size_t(b)].mesh).SquaredNorm() < shortest * shortest)
+					edges.emplace_back(std::min(a, b), std::max(a, b));
+			}
+		if (edges.empty()) return;
+		std::sort(edges.begin(), edges.end());
+		edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+		detail::EdgeCollapser(sheet, cut).run(edges);
+	}
+}
+
+inline bool FlipCaps(Sheet& sheet, const std::vector<int>& triangles, double thinnest)
+{
+	if (!sheet.mayFlip) return false;
+	const auto at = [&](int v) -> const vcg::Point3d& { return sheet.vertices[size_t(v)].mesh; };
+	bool flipped = false;
+	for (const int t : triangles) {
+		if (std::binary_search(sheet.flipped.begin(), sheet.flipped.end(), t)) continue;
+		int longest = 3 * t;
+		for (int h = 3 * t; h < 3 * t + 3; ++h)
+			if ((at(sheet.to(h)) - at(sheet.from(h))).SquaredNorm() >
+			    (at(sheet.to(longest)) - at(sheet.from(longest))).SquaredNorm())
+				longest = h;
+		const int g = sheet.twin[size_t(longest)];
+		if (g < 0 || std::binary_search(sheet.flipped.begin(), sheet.flipped.end(), g / 3)) continue;
+		const int a = sheet.from(longest), b = sheet.to(longest), c = sheet.from(Sheet::Previous(longest)),
+				  d = sheet.from(Sheet::Previous(g));
+		const vcg::Point3d along = at(b) - at(a);
+		const double length = along.Norm(), height = (along ^ (at(c) - at(a))).Norm() / length,
+					 foot = along * (at(c) - at(a)) / length;
+		if (!(height < thinnest && foot > thinnest && foot < length - thinnest) || c == d) continue;
+		const auto facing = [&](int p, int q, int r) {
+			return Orient2d(sheet.plane(p), sheet.plane(q), sheet.plane(r)) > 0;
+		};
+		if (!sheet.triangles[size_t(g / 3)].facing || !facing(a, d, c) || !facing(d, b, c)) continue;
+		bool joined = false;  // c and d may be neighbours already, on the far side of the part
+		for (int i = sheet.vertexStart[size_t(c)]; i < sheet.vertexStart[size_t(c) + 1]; ++i)
+			for (const int v : sheet.triangles[size_t(sheet.vertexFan[size_t(i)])].vertex) joined = joined || v == d;
+		if (joined) continue;
+		sheet.triangles[size_t(t)].vertex = {a, d, c};
+		sheet.triangles[size_t(g / 3)].vertex = {d, b, c};
+		sheet.triangles[size_t(t)].facing = true;
+		for (const int changed : {t, g / 3})
+			sheet.flipped.insert(std::lower_bound(sheet.flipped.begin(), sheet.flipped.end(), changed), changed);
+		detail::PairHalfEdges(sheet);
+		detail::BuildVertexFans(sheet);
+		flipped = true;
+	}
+	return flipped;
+}
+
+}  // namespace vcg::textlabel
