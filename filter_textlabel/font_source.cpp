@@ -1,0 +1,143 @@
+#include "font_source.h"
+
+#include <algorithm>
+#include <charconv>
+#include <filesystem>
+#include <fstream>
+#include "text_error.h"
+
+namespace textlabel {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool Exists(const std::string& path)
+{
+	std::error_code ignored;
+	return fs::exists(fs::u8path(path), ignored);
+}
+
+std::string Trimmed(const std::string& s)
+{
+	const auto first = s.find_first_not_of(' '), last = s.find_last_not_of(' ');
+	return first == std::string::npos ? std::string() : s.substr(first, last - first + 1);
+}
+
+std::vector<std::string> Split(const std::string& text, const char* separators)
+{
+	std::vector<std::string> pieces;
+	for (std::size_t at = 0; at <= text.size();) {
+		const std::size_t end = std::min(text.find_first_of(separators, at), text.size());
+		pieces.push_back(Trimmed(text.substr(at, end - at)));
+		at = end + 1;
+	}
+	return pieces;
+}
+
+AxisSetting ParseAxis(const std::string& text)
+{
+	constexpr std::size_t kTagLength = 4;
+	const std::size_t equals = text.find('=');
+	if (equals == std::string::npos) throw TextError(TextErrorCode::BadAxis, text);
+	AxisSetting axis{Trimmed(text.substr(0, equals)), 0};
+	const std::string number = Trimmed(text.substr(equals + 1));
+	const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), axis.value);
+	if (axis.tag.empty() || axis.tag.size() > kTagLength || error != std::errc() ||
+	    end != number.data() + number.size())
+		throw TextError(TextErrorCode::BadAxis, text);
+	axis.tag.resize(kTagLength, ' ');
+	return axis;
+}
+
+/// Where the file's name ends: the longest piece before a colon or a number sign that exists, else before the first of them
+/// that follows the last slash.
+std::size_t FileNameLength(const std::string& text)
+{
+	for (std::size_t end = text.size(); end != std::string::npos && end > 0; end = text.find_last_of(":#", end - 1)) {
+		if (Exists(text.substr(0, end))) return end;
+	}
+	const std::size_t slash = text.find_last_of('/');
+	return std::min(text.find_first_of(":#", slash == std::string::npos ? 0 : slash), text.size());
+}
+
+void ParseFile(const std::string& text, FontRequest& request)
+{
+	const std::size_t end = FileNameLength(text);
+	request.file = text.substr(0, end);
+	std::string rest = text.substr(end);
+	if (!rest.empty() && rest[0] == '#') {
+		const char* last = rest.data() + rest.size();
+		const auto [after, error] = std::from_chars(rest.data() + 1, last, request.face);
+		if (error != std::errc() || (after != last && *after != ':'))
+			throw TextError(TextErrorCode::BadFace, rest).ofFont(request.file);
+		rest.erase(0, static_cast<std::size_t>(after - rest.data()));
+	}
+	if (rest.size() > 1) request.axes = ParseAxes(rest.substr(1));
+}
+
+void ParseFamily(const std::string& text, FontRequest& request)
+{
+	const std::size_t colon = std::min(text.find(':'), text.size());
+	request.family = Trimmed(text.substr(0, colon));
+	if (colon == text.size()) return;
+	for (const std::string& piece : Split(text.substr(colon + 1), ":,")) {
+		constexpr char kStyle[] = "style=";
+		if (piece.rfind(kStyle, 0) == 0) request.style = piece.substr(sizeof kStyle - 1);
+		else if (piece.find('=') != std::string::npos) request.axes.push_back(ParseAxis(piece));
+		else if (!piece.empty()) request.style += (request.style.empty() ? "" : " ") + piece;
+	}
+}
+
+}  // namespace
+
+std::vector<AxisSetting> ParseAxes(const std::string& text)
+{
+	std::vector<AxisSetting> axes;
+	for (const std::string& piece : Split(text, ":,")) {
+		if (!piece.empty()) axes.push_back(ParseAxis(piece));
+	}
+	return axes;
+}
+
+FontRequest ParseFontRequest(const std::string& text)
+{
+	FontRequest request;
+	request.text = text;
+	const std::string name = Trimmed(text);
+	if (name.empty()) return request;
+	// A NUL would cut the name short in the systems below, and open another file than the one written.
+	if (name.find('\0') != std::string::npos) throw TextError(TextErrorCode::FontNotFound, "NUL").ofFont(name.c_str());
+	static const char* const kEndings[] = {".ttf", ".otf", ".ttc", ".otc", ".pfb", ".pfa", ".woff", ".woff2"};
+	const bool endsLikeFile = std::any_of(std::begin(kEndings), std::end(kEndings), [&name](const std::string& e) {
+		const std::size_t at = name.rfind(e);
+		return at != std::string::npos &&
+		       (at + e.size() == name.size() || name[at + e.size()] == '#' || name[at + e.size()] == ':');
+	});
+	std::error_code ignored;
+	if (name.find('/') != std::string::npos || endsLikeFile || fs::is_regular_file(fs::u8path(name), ignored))
+		ParseFile(name, request);
+	else ParseFamily(name, request);
+	if (request.file.empty() && request.family.empty()) throw TextError(TextErrorCode::FontNotFound).ofFont(text);
+	return request;
+}
+
+std::shared_ptr<const std::string> ReadFontFile(const std::string& file)
+{
+	const auto fail = [&file](TextErrorCode code, const char* why) { return TextError(code, why).ofFont(file); };
+	const fs::path path = fs::u8path(file);
+	std::error_code error;
+	const fs::file_status status = fs::status(path, error);
+	if (!fs::exists(status)) throw fail(TextErrorCode::FontNotFound, "no such file");
+	if (fs::is_directory(status)) throw fail(TextErrorCode::NotAFont, "it is a folder");
+	if (!fs::is_regular_file(status)) throw fail(TextErrorCode::NotAFont, "it is not a regular file");
+	const std::uintmax_t size = fs::file_size(path, error);
+	if (error || size > kLargestFont) throw fail(TextErrorCode::NotAFont, "it is too large");
+	if (size == 0) throw fail(TextErrorCode::NotAFont, "the file is empty");
+	auto bytes = std::make_shared<std::string>(static_cast<std::size_t>(size), '\0');
+	std::ifstream stream(path, std::ios::binary);
+	if (!stream.read(bytes->data(), static_cast<std::streamsize>(size)))
+		throw fail(TextErrorCode::NotAFont, "it cannot be read");
+	return bytes;
+}
+
+}  // namespace textlabel

@@ -1,0 +1,169 @@
+#include "text_error.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <iterator>
+#include "text_utf8.h"
+#if TEXTLABEL_ICU
+#include <unicode/uchar.h>
+#endif
+
+namespace textlabel {
+namespace {
+
+/// Most characters or letters that a sentence lists.
+constexpr std::size_t kMostListed = 20;
+
+std::string Number(double value)
+{
+	char text[32] = {};
+	std::snprintf(text, sizeof text, "%.4g", value);
+	std::replace(text, text + sizeof text, ',', '.');  // whatever the locale
+	return text;
+}
+
+template <class Items, class Show>
+std::string Listed(const Items& items, Show show)
+{
+	std::string text;
+	for (std::size_t i = 0; i < items.size(); ++i) {
+		if (i == kMostListed) return text + " and " + std::to_string(items.size() - i) + " more";
+		text += (i ? ", " : "") + show(items[i]);
+	}
+	return text;
+}
+
+std::string Quoted(const std::string& s) { return "\"" + s + "\""; }
+
+std::string Characters(const TextError& e)
+{
+	return Listed(e.codePoints, [](char32_t c) {
+		return (IsBlank(c) ? std::string() : Quoted(EncodeUtf8({&c, 1})) + " ") + CodePointName(c);
+	});
+}
+
+std::string Letters(const TextError& e) { return Listed(e.letters, Quoted); }
+
+std::string Font(const TextError& e) { return e.font.empty() ? "the built-in font" : "font " + Quoted(e.font); }
+
+std::string Because(const TextError& e) { return e.detail.empty() ? "" : " (" + e.detail + ")"; }
+
+std::string TextSentence(const TextError& e)
+{
+	switch (e.code) {
+	case TextErrorCode::EmptyText:
+		return "The text has nothing to cut, only blanks: write at least one visible letter.";
+	case TextErrorCode::BadUtf8:
+		return "The text is not UTF-8 at byte " + std::to_string(e.offset) + ": save it, or send it, as UTF-8.";
+	case TextErrorCode::TextTooLong:
+		return "The text has " + Number(e.value) + " characters, at most " + Number(e.limit) +
+		       " can be set: shorten it.";
+	case TextErrorCode::MissingGlyphs:
+		return "No glyph in " + Font(e) + " for " + Characters(e) +
+		       ": choose a font that has them, or allow fallback fonts.";
+	case TextErrorCode::NoOutlines:
+		return "There are no outlines to cut in " + Font(e) +
+		       (e.codePoints.empty() ? std::string(", only bitmaps")
+		                             : ", only pictures (bitmaps or colour layers), for " + Characters(e)) +
+		       ": choose a font with outlines.";
+	default: return {};
+	}
+}
+
+std::string FontSentence(const TextError& e)
+{
+	switch (e.code) {
+	case TextErrorCode::FontNotFound:
+		return "Found no " + Font(e) + Because(e) + ": check the name; fc-list shows the installed families.";
+	case TextErrorCode::FontSubstituted:
+		return "No " + Font(e) + " is installed; the nearest is " + Quoted(e.substitute) +
+		       ": install it, or write the name of an installed one (fc-list shows them).";
+	case TextErrorCode::NotAFont:
+		return "Cannot read " + Font(e) + Because(e) + ": give a TrueType, OpenType or Type 1 file that is whole.";
+	case TextErrorCode::NoUnicodeMap:
+		return "In " + Font(e) + " nothing says which glyph is which character: choose a font with a Unicode map.";
+	case TextErrorCode::BadFace:
+		return "There is no face " + (e.detail.empty() ? Number(e.value) : e.detail) + " in " + Font(e) +
+		       (e.limit > 0 ? ", which has " + Number(e.limit) + ", counted from 0" : "") +
+		       ": change the number after #.";
+	case TextErrorCode::BadAxis:
+		return "The setting " + Quoted(e.detail) + (e.font.empty() ? "" : " does not fit " + Font(e)) + ": " +
+		       (e.substitute.empty() ? "write axis=number for an axis that the font varies in, as in Inter:wght=650."
+		                             : "it varies in " + e.substitute + ".");
+	default: return {};
+	}
+}
+
+std::string OptionSentence(const TextError& e)
+{
+	const std::string value = Number(e.value), limit = Number(e.limit);
+	switch (e.code) {
+	case TextErrorCode::BadSize:
+		return "The " + std::string(e.detail == "fitWidth" ? "width to fit" : "size") + " is " + value +
+		       ": give a positive length" + (e.limit > 0 ? ", larger than " + limit + " here." : ".");
+	case TextErrorCode::BadTolerance:
+		return "The tolerance " + value + " does not suit this text" + Because(e) + ": " +
+		       (e.limit > 0 ? std::string(e.value < e.limit ? "at least " : "at most ") + limit + " does."
+		                    : "give a length that is not negative; 0 chooses one.");
+	case TextErrorCode::BadSpacing:
+		return "The " + std::string(e.detail == "lineSpacing" ? "line" : "letter") + " spacing is " + value +
+		       ": give a factor up to " + limit + ".";
+	case TextErrorCode::BadSlant: return "The slant is " + value + " degrees: give at most " + limit + " either way.";
+	case TextErrorCode::BadEmbolden:
+		return "Emboldening by " + value + " is out of range: give at most " + limit +
+		       ", the capital height, either way.";
+	case TextErrorCode::BadArc:
+		return "The text does not fit on an arc of radius " + value + ": give a radius of at least " + limit +
+		       ", or a smaller size.";
+	case TextErrorCode::BadFeature:
+		return Quoted(e.detail) + " is no OpenType feature setting: write them as in tnum,ss01,-liga.";
+	case TextErrorCode::BadPrintLimit:
+		return "The smallest " + std::string(e.detail == "minStroke" ? "stroke" : "gap") + " is " + value +
+		       ": give a length that is not negative; 0 does not check.";
+	default: return {};
+	}
+}
+
+std::string ResultSentence(const TextError& e)
+{
+	switch (e.code) {
+	case TextErrorCode::TooThin:
+		return "The narrowest " + e.detail + " measures " + Number(e.value) + ", " + Number(e.limit) +
+		       " is asked for; too narrow: " + Letters(e) + ": a size of " + Number(e.size) +
+		       " would do, or a bolder font.";
+	case TextErrorCode::LetterVanished:
+		return "Nothing is left of " + Letters(e) +
+		       " at this tolerance and weight: give a finer tolerance, or thin less.";
+	case TextErrorCode::Unsound:
+		return "The outline could not be made clean" + Because(e) + ": try another font, size or tolerance.";
+	default: return {};
+	}
+}
+
+}  // namespace
+
+std::string Sentence(const TextError& error)
+{
+	for (const auto sentence : {TextSentence, FontSentence, OptionSentence, ResultSentence}) {
+		std::string text = sentence(error);
+		if (!text.empty()) return text;
+	}
+	return error.detail;
+}
+
+std::string CodePointName(char32_t codePoint)
+{
+	char text[16];
+	std::snprintf(text, sizeof text, "U+%04X", static_cast<unsigned>(codePoint));
+	std::string name = text;
+#if TEXTLABEL_ICU
+	constexpr int kLongestName = 128;
+	char words[kLongestName];
+	UErrorCode status = U_ZERO_ERROR;
+	const int length = u_charName(static_cast<UChar32>(codePoint), U_EXTENDED_CHAR_NAME, words, kLongestName, &status);
+	if (U_SUCCESS(status) && length > 0) name += " " + std::string(words);
+#endif
+	return name;
+}
+
+}  // namespace textlabel

@@ -1,0 +1,284 @@
+#include "text_outline.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include "outline_flatten.h"
+#include "outline_measure.h"
+#include "outline_unite.h"
+#include "text_layout.h"
+#include "text_shape.h"
+#include "text_utf8.h"
+
+namespace textlabel {
+namespace {
+
+constexpr double kRadian = 3.14159265358979323846 / 180;
+/// Finest and coarsest chord error, times the capital height.
+constexpr double kFinestTolerance = 1e-6, kCoarsestTolerance = 0.25;
+constexpr double kMostSlant = 60;                                     ///< degrees
+constexpr double kMostLineSpacing = 100;                              ///< times the line height
+constexpr double kLeastLetterSpacing = -1, kMostLetterSpacing = 100;  ///< times the capital height
+constexpr double kMostEmbolden = 1;                                   ///< times the capital height
+/// How far to look for what faces an edge, times the capital height: wider is no narrow place.
+constexpr double kMeasureReach = 2;
+
+void RequirePositive(double value, const char* what)
+{
+	if (!(value > 0) || !std::isfinite(value)) throw TextError(TextErrorCode::BadSize, what).measured(value, 0);
+}
+
+/// A finite value in a range, or the error.
+void Require(double value, double low, double high, TextErrorCode code, const char* what)
+{
+	if (!(value >= low && value <= high)) throw TextError(code, what).measured(value, std::max(std::abs(low), high));
+}
+
+void CheckOptions(const TextOptions& options)
+{
+	const double infinity = std::numeric_limits<double>::max();
+	if (options.fitWidth != 0) RequirePositive(options.fitWidth, "fitWidth");
+	else RequirePositive(options.size, "size");
+	Require(options.lineSpacing, 0, kMostLineSpacing, TextErrorCode::BadSpacing, "lineSpacing");
+	Require(options.letterSpacing, kLeastLetterSpacing, kMostLetterSpacing, TextErrorCode::BadSpacing, "letterSpacing");
+	Require(options.slant, -kMostSlant, kMostSlant, TextErrorCode::BadSlant, "");
+	Require(options.arcRadius, -infinity, infinity, TextErrorCode::BadArc, "");
+	Require(options.embolden, -infinity, infinity, TextErrorCode::BadEmbolden, "");
+	Require(options.minStroke, 0, infinity, TextErrorCode::BadPrintLimit, "minStroke");
+	Require(options.minGap, 0, infinity, TextErrorCode::BadPrintLimit, "minGap");
+	if (!(options.tolerance >= 0)) throw TextError(TextErrorCode::BadTolerance).measured(options.tolerance, 0);
+}
+
+/// Characters, each once, in order of appearance.
+std::vector<char32_t> EachOnce(const std::u32string& text)
+{
+	std::vector<char32_t> result;
+	for (const char32_t c : text) {
+		if (std::find(result.begin(), result.end(), c) == result.end()) result.push_back(c);
+	}
+	return result;
+}
+
+std::vector<ShapedLine> ShapeText(const std::string& utf8, FontStack& fonts, const TextOptions& options)
+{
+	const std::vector<std::u32string> lines = SplitLines(DecodeUtf8(utf8));
+	std::size_t characters = 0;
+	bool hasInk = false;
+	for (const std::u32string& line : lines) {
+		characters += line.size();
+		hasInk = hasInk || !std::all_of(line.begin(), line.end(), IsBlank);
+	}
+	if (characters > static_cast<std::size_t>(kMostLetters) || lines.size() > static_cast<std::size_t>(kMostLetters))
+		throw TextError(TextErrorCode::TextTooLong)
+			.measured(static_cast<double>(std::max(characters, lines.size())), kMostLetters);
+	if (!hasInk) throw TextError(TextErrorCode::EmptyText);
+	ShapeOptions shapeOptions{options.language, ParseFeatures(options.features)};
+	// letters that are set apart are not to be tied together
+	if (options.letterSpacing != 0) {
+		for (hb_feature_t& f : ParseFeatures("-liga,-clig"))
+			shapeOptions.features.insert(shapeOptions.features.begin(), f);
+	}
+	std::vector<ShapedLine> shaped;
+	for (const std::u32string& line : lines) shaped.push_back(ShapeLine(line, fonts, shapeOptions));
+	return shaped;
+}
+
+void CheckGlyphs(const std::vector<ShapedLine>& lines, const FontStack& fonts)
+{
+	std::u32string missing, pictures;
+	for (const ShapedLine& line : lines) {
+		missing += line.missing;
+		pictures += line.pictures;
+	}
+	if (missing.empty() && pictures.empty()) return;
+	TextError error(missing.empty() ? TextErrorCode::NoOutlines : TextErrorCode::MissingGlyphs);
+	error.ofFont(fonts.main().name()).codePoints = EachOnce(missing.empty() ? pictures : missing);
+	throw error;
+}
+
+/// The curves of each glyph of a text, loaded once; em.
+class Glyphs {
+public:
+	explicit Glyphs(const FontStack& fonts) : m_fonts(fonts) {}
+
+	const std::vector<CurveContour>& operator()(const PlacedGlyph& g)
+	{
+		const auto [it, isNew] = m_curves.try_emplace({g.font, g.glyph});
+		if (isNew) it->second = m_fonts[g.font].glyph(g.glyph);
+		return it->second;
+	}
+
+private:
+	const FontStack& m_fonts;
+	std::map<std::pair<int, unsigned>, std::vector<CurveContour>> m_curves;
+};
+
+vcg::Box2d InkBox(const std::vector<PlacedGlyph>& placed, const Affine& form, Glyphs& glyphs)
+{
+	vcg::Box2d box;
+	for (const PlacedGlyph& g : placed) box.Add(BoxOf(Mapped(glyphs(g), g.place.after(form))));
+	return box;
+}
+
+LayoutOptions LayoutOptionsFor(const TextOptions& options, double size, double em)
+{
+	LayoutOptions layout;
+	layout.em = em;
+	layout.align = options.align;
+	layout.lineSpacing = options.lineSpacing;
+	layout.letterSpacing = options.letterSpacing * size;
+	layout.slant = options.slant * kRadian;
+	layout.arcRadius = options.arcRadius;
+	return layout;
+}
+
+/// Capital height that makes the ink, laid straight, as wide as asked for.
+double SizeToFit(const std::vector<ShapedLine>& lines, const FontStack& fonts, Glyphs& glyphs,
+                 const TextOptions& options)
+{
+	LayoutOptions layout = LayoutOptionsFor(options, 1, 1 / fonts.main().capitalHeight());
+	layout.arcRadius = 0;
+	const vcg::Box2d box = InkBox(Layout(lines, fonts, layout), FormOf(layout), glyphs);
+	if (box.IsNull()) throw TextError(TextErrorCode::EmptyText);
+	const double size = (options.fitWidth - 2 * options.embolden) / box.DimX();
+	if (!(size > 0) || !std::isfinite(size))
+		throw TextError(TextErrorCode::BadSize, "fitWidth").measured(options.fitWidth, 2 * options.embolden);
+	return size;
+}
+
+/// The label's anchor in the coordinates of the layout.
+vcg::Point2d AnchorOf(const vcg::Box2d& ink, const TextOptions& options)
+{
+	vcg::Point2d anchor(0, 0);
+	if (options.align == Align::Left) anchor[0] = ink.min[0];
+	if (options.align == Align::Center) anchor[0] = (ink.min[0] + ink.max[0]) / 2;
+	if (options.align == Align::Right) anchor[0] = ink.max[0];
+	if (options.anchor == Anchor::Middle) anchor[1] = (ink.min[1] + ink.max[1]) / 2;
+	if (options.anchor == Anchor::Top) anchor[1] = ink.max[1];
+	return anchor;
+}
+
+/// Flatten the placed glyphs, letter by letter. A glyph is flattened once and then moved: its chord error moves with it.
+std::vector<LetterRings> RingsOf(const std::vector<PlacedGlyph>& placed, const Affine& form, const Affine& last,
+                                 Glyphs& glyphs, double tolerance)
+{
+	std::map<std::pair<int, unsigned>, std::vector<Ring>> flat;
+	std::map<int, std::vector<Ring>> ofLetter;
+	for (const PlacedGlyph& g : placed) {
+		const auto [it, isNew] = flat.try_emplace({g.font, g.glyph});
+		if (isNew) {
+			for (const CurveContour& contour : Mapped(glyphs(g), form))
+				it->second.push_back(Flatten(contour, tolerance));
+		}
+		const Affine map = last.after(g.place);
+		for (const Ring& ring : it->second) {
+			if (ring.empty()) continue;
+			Ring& moved = ofLetter[g.letter].emplace_back(ring);
+			std::transform(moved.begin(), moved.end(), moved.begin(), map);
+		}
+	}
+	std::vector<LetterRings> letters;
+	for (auto& [letter, rings] : ofLetter) letters.push_back({letter, std::move(rings)});
+	return letters;
+}
+
+/// Capital height at which a width, of which `fixed` does not grow with the letters, reaches what was asked for.
+double SizeFor(double width, double asked, double fixed, double size)
+{
+	return size * (asked - fixed) / (width - fixed);
+}
+
+void CheckPrintable(const std::vector<LetterWidths>& widths, const TextOutline& text, const TextOptions& options)
+{
+	TextError error(TextErrorCode::TooThin);
+	const auto check = [&](double width, double asked, double fixed, const char* what) {
+		if (width == 0 || width >= asked) return false;
+		if (error.letters.empty() || width / asked < error.value / error.limit)
+			error.measured(width, asked).detail = what;
+		error.size = std::max(error.size, SizeFor(width, asked, fixed, text.capitalHeight));
+		return true;
+	};
+	for (std::size_t i = 0; i < widths.size(); ++i) {
+		const bool thin = check(widths[i].stroke, options.minStroke, 2 * options.embolden, "stroke");
+		const bool tight = check(widths[i].gap, options.minGap, -2 * options.embolden, "gap");
+		const std::string& letter = text.letters[i];
+		const bool isNew = std::find(error.letters.begin(), error.letters.end(), letter) == error.letters.end();
+		if ((thin || tight) && isNew) error.letters.push_back(letter);
+	}
+	if (!error.letters.empty()) throw error;
+}
+
+void Measure(TextOutline& text, const TextOptions& options)
+{
+	const std::vector<LetterWidths> widths =
+		MeasureWidths(text.outline, static_cast<int>(text.letters.size()), kMeasureReach * text.capitalHeight);
+	const auto keepLess = [](Narrowest& least, double width, std::size_t letter) {
+		if (width > 0 && (least.letter < 0 || width < least.width)) least = {width, static_cast<int>(letter)};
+	};
+	for (std::size_t i = 0; i < widths.size(); ++i) {
+		keepLess(text.thinnestStroke, widths[i].stroke, i);
+		keepLess(text.narrowestGap, widths[i].gap, i);
+	}
+	vcg::Box2d box;
+	for (const vcg::textlabel::Contour& contour : text.outline.contours) {
+		for (const vcg::Point2d& p : contour.points) box.Add(p);
+	}
+	text.boxMin = box.min, text.boxMax = box.max;
+	CheckPrintable(widths, text, options);
+}
+
+void CheckVanished(const United& united, const TextOutline& text)
+{
+	if (united.vanished.empty()) return;
+	TextError error(TextErrorCode::LetterVanished);
+	for (const int letter : united.vanished) error.letters.push_back(text.letters[static_cast<std::size_t>(letter)]);
+	throw error;
+}
+
+double ToleranceFor(const TextOptions& options, double size)
+{
+	if (options.tolerance == 0) return size / kDefaultTolerance;
+	const double finest = kFinestTolerance * size, coarsest = kCoarsestTolerance * size;
+	if (options.tolerance < finest) throw TextError(TextErrorCode::BadTolerance).measured(options.tolerance, finest);
+	if (options.tolerance > coarsest)
+		throw TextError(TextErrorCode::BadTolerance).measured(options.tolerance, coarsest);
+	return options.tolerance;
+}
+
+}  // namespace
+
+TextOutline MakeTextOutline(const std::string& utf8, const TextOptions& options)
+{
+	CheckOptions(options);
+	FontStack fonts(options.font, options.fallbackFonts);
+	const std::vector<ShapedLine> lines = ShapeText(utf8, fonts, options);
+	CheckGlyphs(lines, fonts);
+	Glyphs glyphs(fonts);
+	TextOutline text;
+	text.letters = LettersOf(lines);
+	for (int i = 0; i < fonts.size(); ++i) text.fonts.push_back(fonts[i].description());
+	text.capitalHeight = options.fitWidth > 0 ? SizeToFit(lines, fonts, glyphs, options) : options.size;
+	text.tolerance = ToleranceFor(options, text.capitalHeight);
+	if (std::abs(options.embolden) > kMostEmbolden * text.capitalHeight)
+		throw TextError(TextErrorCode::BadEmbolden).measured(options.embolden, kMostEmbolden * text.capitalHeight);
+
+	const double em = text.capitalHeight / fonts.main().capitalHeight();
+	const LayoutOptions layout = LayoutOptionsFor(options, text.capitalHeight, em);
+	const Affine form = FormOf(layout);
+	const std::vector<PlacedGlyph> placed = Layout(lines, fonts, layout);
+	vcg::Box2d ink = InkBox(placed, form, glyphs);
+	if (ink.IsNull()) throw TextError(TextErrorCode::EmptyText);
+	ink.Offset(options.embolden);
+	const vcg::Point2d anchor = AnchorOf(ink, options);
+	const double side = options.mirrored ? -1 : 1;
+	const Affine toAnchor{side, 0, 0, 1, -side * anchor[0], -anchor[1]};
+	United united =
+		UniteLetters(RingsOf(placed, form, toAnchor, glyphs, text.tolerance), {text.tolerance, options.embolden});
+	CheckVanished(united, text);
+	text.outline = std::move(united.outline);
+	if (text.outline.contours.empty()) throw TextError(TextErrorCode::EmptyText);
+	Measure(text, options);
+	return text;
+}
+
+}  // namespace textlabel
