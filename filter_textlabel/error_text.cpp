@@ -1,0 +1,209 @@
+#include "error_text.h"
+
+#include <cmath>
+#include <cstdio>
+
+namespace textlabel {
+namespace {
+
+using vcg::textlabel::Error;
+using vcg::textlabel::ErrorCode;
+
+std::string Place(const vcg::Point3d& p)
+{
+	return "(" + Figure(p[0]) + ", " + Figure(p[1]) + ", " + Figure(p[2]) + ")";
+}
+
+std::string Letter(const Error& error, const ErrorContext& context)
+{
+	const bool known = error.letter >= 0 && size_t(error.letter) < context.letters.size();
+	return known ? "the letter '" + context.letters[size_t(error.letter)] + "'" : "the label";
+}
+
+std::string Capital(std::string text)
+{
+	if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = char(text[0] - 'a' + 'A');
+	return text;
+}
+
+std::string Where(const Error& error) { return error.hasPlace ? " near " + Place(error.place) : std::string(); }
+
+/// How much room there is, or "" when the library could not say.
+std::string Room(const Error& error)
+{
+	return error.limit > 0 && std::isfinite(error.limit) ? "; there is room for " + Figure(error.limit) : std::string();
+}
+
+std::string UseDepth(const Error& error)
+{
+	return error.limit > 0 && std::isfinite(error.limit) ? "Use a depth below " + Figure(error.limit)
+	                                                     : "Use a smaller depth";
+}
+
+const char* const moveIt = "Move the label (position, offset), turn it, or make it smaller (size).";
+
+/// Refusals that name a letter and a place.
+std::string PlaceText(const Error& error, const ErrorContext& context)
+{
+	const std::string letter = Capital(Letter(error, context)), where = Where(error);
+	switch (error.code) {
+	case ErrorCode::OffSurface: return letter + " lies beside the surface" + where + ". " + moveIt;
+	case ErrorCode::FacesAway:
+		return letter + " meets the back of the surface" + where +
+		       ". Look at the part from outside; when it looks right there, its faces are turned inside out: run "
+		       "'Re-Orient "
+		       "all faces coherently' or 'Invert Faces Orientation' first.";
+	case ErrorCode::Border:
+		return letter + " runs over a border or a hole of the surface" + where + ". " + moveIt +
+		       " Or close the hole first.";
+	case ErrorCode::Silhouette:
+		return letter + " runs over the silhouette of the part as seen from the viewpoint" + where + ". " + moveIt;
+	case ErrorCode::NonManifold:
+		return letter +
+		       " lies on an edge that is not manifold (three or more faces, or faces of opposite orientation)" + where +
+		       ". Move the label, or repair the part first ('Repair non Manifold Edges', 'Re-Orient all faces "
+		       "coherently').";
+	case ErrorCode::Occluded:
+		return letter + " is partly hidden from the viewer by another surface" + where +
+		       ". Look at the place from another side, or move the label.";
+	case ErrorCode::BehindCamera:
+		return letter + " lies on a surface that reaches behind the camera" + where +
+		       ". Move the camera away from the part.";
+	case ErrorCode::Grazing:
+		return letter + " lies on a surface that is too steep to the view" + where + ": it would be stretched " +
+		       Figure(error.value) + " times, " + Figure(error.limit) +
+		       " is allowed. Look at the place more from the front, or raise max_stretch.";
+	case ErrorCode::TooFine:
+		return letter + " has details of " + Figure(error.value) + where +
+		       ", finer than the coordinates of the mesh can carry (" + Figure(error.limit) +
+		       "). Make the text larger, the tolerance coarser, or move the part nearer to the origin.";
+	case ErrorCode::HitsSurface:
+		return letter + " would run into another part of the surface" + where + " at depth " +
+		       Figure(std::abs(context.depth)) + Room(error) + ". " + UseDepth(error) + ", or move the label.";
+	case ErrorCode::HitsItself:
+		return letter + " would fold or cut itself" + where + " at depth " + Figure(std::abs(context.depth)) +
+		       Room(error) + ". " + UseDepth(error) + ", or extrude along the viewpoint.";
+	default: return letter + " was refused" + where + ".";
+	}
+}
+
+std::string CameraText(const RequestError& error)
+{
+	const std::string copy = " In MeshLab, use 'Copy camera settings to clipboard' (Ctrl+C) and paste all of it.";
+	switch (error.problem) {
+	case RequestProblem::CameraNotXml:
+		return "The camera is not XML: " + error.detail + ", line " + Figure(error.value) + ", column " +
+		       Figure(error.limit) + "." + copy;
+	case RequestProblem::CameraMissing: return "The camera's text holds no VCGCamera." + copy;
+	case RequestProblem::CameraIncomplete: return "The camera's " + error.detail + " is missing or unreadable." + copy;
+	default: return "The camera's RotationMatrix is not a rotation." + copy;
+	}
+}
+
+std::string NumberSentence(const RequestError& error)
+{
+	const std::string is = "The parameter " + error.parameter + " is " + Figure(error.value);
+	switch (error.problem) {
+	case RequestProblem::NotANumber: return is + ". Give a finite number.";
+	case RequestProblem::NeitherPositiveNorFit:
+		return is + ". Give a number above 0 in the units of the mesh, or -1 to have one chosen.";
+	case RequestProblem::LargerThanPart:
+		return is + ", larger than the part, whose diagonal is " + Figure(error.limit) +
+		       ". Give a smaller number, in the units of the mesh.";
+	default:
+		return is + ". Give a number of " + (error.value < error.limit ? "at least " : "at most ") +
+		       Figure(error.limit) + ".";
+	}
+}
+
+}  // namespace
+
+std::string Figure(double value)
+{
+	char text[32];
+	std::snprintf(text, sizeof text, "%.6g", value);
+	for (char& c : text)
+		if (c == ',') c = '.';  // a host's locale
+	return text;
+}
+
+bool DependsOnPlace(ErrorCode code) { return code >= ErrorCode::OffSurface && code <= ErrorCode::HitsItself; }
+
+std::string ErrorText(const Error& error, const ErrorContext& context)
+{
+	switch (error.code) {
+	case ErrorCode::EmptyLabel: return "The text has nothing to cut. Give a text with at least one visible letter.";
+	case ErrorCode::BadContour:
+		return Capital(Letter(error, context)) +
+		       " has an outline that is not a simple polygon. Try another font, or a finer tolerance.";
+	case ErrorCode::BadFrame:
+		return "The label's place is not well defined (" + error.message +
+		       "). Give a finite position, a direction that is not zero, an up "
+		       "that is not parallel to it, and a camera outside the part.";
+	case ErrorCode::BadHeight:
+		return "The depth " + Figure(context.depth) + " is not possible here" + Room(error) +
+		       ". Give a finite depth smaller than the part.";
+	case ErrorCode::EmptyMesh:
+		return "The mesh has no faces: it is empty or a point cloud. Load a surface, or reconstruct one first.";
+	case ErrorCode::NotTriangles:
+		return "The mesh has faces of more than three corners. Run 'Turn into Pure-Triangular mesh' first.";
+	case ErrorCode::Cancelled: return "Cancelled; the mesh is as it was.";
+	case ErrorCode::OutOfMemory:
+		return "Not enough memory; the mesh is as it was. Close other layers, or make the tolerance coarser.";
+	default: return PlaceText(error, context);
+	}
+}
+
+std::string ErrorText(const TextError& error) { return Sentence(error); }
+
+std::string ErrorText(const RequestError& error)
+{
+	switch (error.problem) {
+	case RequestProblem::UnknownParameter:
+		return "There is no parameter '" + error.parameter + "'. See the filter's help for their names.";
+	case RequestProblem::UnreadableValue:
+		return "The value '" + error.detail + "' of " + error.parameter + " cannot be read.";
+	case RequestProblem::EmptyPart:
+		return "The mesh has no faces: it is empty or a point cloud. Load a surface, or reconstruct one first.";
+	case RequestProblem::CameraNotXml:
+	case RequestProblem::CameraMissing:
+	case RequestProblem::CameraIncomplete:
+	case RequestProblem::CameraNotRotation: return CameraText(error);
+	case RequestProblem::NoWindow:
+		return "The placement Current view needs MeshLab's window. In scripts use the placement Automatic, Point and "
+			   "direction, or Camera.";
+	case RequestProblem::ViewMissesPart:
+		return "The centre of the view, with its offset, meets no part of the surface. Turn or move the view so that "
+			   "the place of the "
+			   "label is in its centre, or change offset_u and offset_v.";
+	case RequestProblem::ViewFromInside:
+		return "The camera is inside the part, or the part's faces are turned inside out: the first face in the view "
+			   "shows its back. Move "
+			   "the camera outside, or run 'Invert Faces Orientation' first.";
+	case RequestProblem::DirectionZero:
+		return "The direction is zero. Give a vector from the surface to the viewer, for example 0 0 1 for a label "
+			   "read from above.";
+	case RequestProblem::UpAlongDirection:
+		return "The parameter up is parallel to the direction. Give an up that points across it, or 0 0 0 to have one "
+			   "chosen.";
+	case RequestProblem::PointMissesPart:
+		return "No face looks to the viewer on the line through the position along the direction. Move the position "
+			   "over the part, or "
+			   "turn the direction to the side that the label should be on.";
+	case RequestProblem::HiddenPlace:
+		return "Another surface lies " + Figure(error.value) +
+		       " in front of the position, so the viewer would not see the label. Move "
+		       "the position to that surface, or look from another direction.";
+	case RequestProblem::NoPlace:
+		return error.value > 0
+		           ? "No place on the part holds the text at size " + Figure(error.value) +
+		                 ". Make it smaller, or use size -1 to have one chosen."
+		           : "No place on the part holds the text. Choose a place yourself (placement Point and direction).";
+	case RequestProblem::FileNotWritten:
+		return "The file '" + error.detail + "' (" + error.parameter +
+		       ") cannot be written. Choose a folder that exists and may be written to.";
+	default: return NumberSentence(error);
+	}
+}
+
+}  // namespace textlabel

@@ -1,0 +1,175 @@
+#include "label_filter.h"
+#include "filter_script.h"
+#include "label_service.h"
+#include "picture.h"
+#include "request_parameters.h"
+#include "view_grabber.h"
+
+#include <QFile>
+#include <QSaveFile>
+#include <iostream>
+
+namespace textlabel {
+namespace {
+
+vcg::Matrix44d MatrixOf(const CMeshO& m)
+{
+	vcg::Matrix44d matrix;
+	for (int row = 0; row < 4; ++row)
+		for (int column = 0; column < 4; ++column) matrix.ElementAt(row, column) = double(m.Tr.ElementAt(row, column));
+	return matrix;
+}
+
+/// Face colours while the label is made: taken away again when it is refused.
+class FaceColors {
+public:
+	FaceColors(MeshModel& model, bool wanted)
+		: model_(model), added_(wanted && !model.hasDataMask(MeshModel::MM_FACECOLOR))
+	{
+		if (added_) model_.updateDataMask(MeshModel::MM_FACECOLOR);
+	}
+	~FaceColors()
+	{
+		if (added_) model_.clearDataMask(MeshModel::MM_FACECOLOR);
+	}
+	FaceColors(const FaceColors&) = delete;
+	FaceColors& operator=(const FaceColors&) = delete;
+	void keep() { added_ = false; }
+
+private:
+	MeshModel& model_;
+	bool added_;
+};
+
+/// Find out before the mesh is changed.
+void RequireWritable(const char* parameter, const std::string& path)
+{
+	if (path.empty()) return;
+	QSaveFile file(QString::fromStdString(path));
+	if (!file.open(QIODevice::WriteOnly)) throw RequestError(RequestProblem::FileNotWritten, parameter, path);
+	file.cancelWriting();
+}
+
+void WriteReport(const LabelReport& report)
+{
+	QSaveFile file(QString::fromStdString(report.request.report));
+	const std::string json = ReportJson(report) + "\n";
+	if (!file.open(QIODevice::WriteOnly) || file.write(json.data(), qint64(json.size())) != qint64(json.size()) ||
+	    !file.commit())
+		throw RequestError(RequestProblem::FileNotWritten, "report", report.request.report);
+}
+
+void DrawPicture(const CMeshO& m, const LabelJob<CMeshO>& job, const LabelReport& report)
+{
+	const PartGeometry part = GeometryOf(m, job.frame().toWorld);
+	PictureMesh mesh{part.positions, part.triangles, {}, std::vector<std::uint8_t>(part.triangles.size(), 0)};
+	for (const auto* faces : {&job.result().topFaces, &job.result().wallFaces})
+		for (const int f : *faces) mesh.isLabel[size_t(f)] = 1;
+	PictureOptions options;
+	if (report.request.style == LabelStyle::Flat || report.request.tint) options.label = report.request.color;
+	if (!WritePicture(RenderLabelPicture(mesh, job.frame().w, job.frame().v, options), report.request.picture))
+		throw RequestError(RequestProblem::FileNotWritten, "picture", report.request.picture);
+}
+
+/// What the layer's adjacency says is no longer so; MeshLab makes it anew when it is asked for.
+void DropAdjacency(MeshModel& model) { model.clearDataMask(MeshModel::MM_FACEFACETOPO | MeshModel::MM_VERTFACETOPO); }
+
+LabelReport Label(MeshDocument& document, const RichParameterList& list, vcg::CallBackPos* progress,
+                  ErrorContext& context)
+{
+	const LabelRequest request = ReadParameters(list);
+	if (!document.mm()) throw RequestError(RequestProblem::EmptyPart);
+	MeshModel& model = *document.mm();
+	RequireWritable("report", request.report);
+	RequireWritable("picture", request.picture);
+	ServiceHost host;
+	host.currentView = CurrentView;
+	if (progress) host.progress = [progress](int percent) { return progress(percent, "Text Label"); };
+	FaceColors colors(model, request.style == LabelStyle::Flat || request.tint);
+	LabelJob<CMeshO> job(model.cm, MatrixOf(model.cm), host, context);
+	const LabelReport report = job.run(request);
+	colors.keep();
+	DropAdjacency(model);
+	if (!request.report.empty()) WriteReport(report);
+	if (!request.picture.empty()) DrawPicture(model.cm, job, report);
+	return report;
+}
+
+/// The one place where exceptions become sentences.
+template <class Work>
+std::string Guarded(const Work& work)
+{
+	ErrorContext context;
+	try {
+		work(context);
+		return {};
+	} catch (const vcg::textlabel::Error& error) {
+		return ErrorText(error, context);
+	} catch (const TextError& error) {
+		return ErrorText(error);
+	} catch (const RequestError& error) {
+		return ErrorText(error);
+	} catch (const std::bad_alloc&) {
+		return ErrorText(vcg::textlabel::Error(vcg::textlabel::ErrorCode::OutOfMemory));
+	} catch (const std::exception& error) {
+		return std::string("Something unexpected happened: ") + error.what() +
+		       ". The mesh may be incomplete; load it again.";
+	} catch (...) {
+		return "Something unexpected happened. The mesh may be incomplete; load it again.";
+	}
+}
+
+void Say(const std::string& message, const std::function<void(const std::string&)>& log)
+{
+	std::cerr << "Text Label: " << message << std::endl;
+	log("Text Label: " + message);
+}
+
+}  // namespace
+
+QString FilterTitle() { return filterName; }
+
+QString FilterDescription()
+{
+	return "Cuts a text into the surface, standing out of it, sunk into it, or flat in another colour. Only the "
+		   "triangles under the "
+		   "letters change; a closed mesh stays closed, ready to print.<br>"
+		   "Turn the part so that the place of the label is in the centre of the window, type the text, press Apply. "
+		   "Or give the "
+		   "place by numbers, or let the filter choose it.<br>"
+		   "See: <i>Greg Slabaugh, Viorel Mihalef, Gozde Unal</i>, <b>\"A Contour-Based Approach to 3D Text Labeling "
+		   "on "
+		   "Triangulated Surfaces\"</b>, 3-D Digital Imaging and Modeling (3DIM) 2005.";
+}
+
+int FilterPostCondition()
+{
+	return MeshModel::MM_VERTCOORD | MeshModel::MM_VERTNUMBER | MeshModel::MM_FACENUMBER | MeshModel::MM_FACEVERT |
+	       MeshModel::MM_FACENORMAL | MeshModel::MM_VERTNORMAL | MeshModel::MM_FACECOLOR | MeshModel::MM_FACEFLAGSELECT;
+}
+
+void AddFilterParameters(const MeshModel& model, RichParameterList& list)
+{
+	AddParameters(HasWindow() ? WindowDefaults(WorldBox(model.cm, MatrixOf(model.cm))) : LabelRequest(), list);
+}
+
+FilterOutcome ApplyFilter(MeshDocument& document, const RichParameterList& list, vcg::CallBackPos* progress,
+                          const std::function<void(const std::string&)>& log) noexcept
+{
+	FilterOutcome outcome;
+	outcome.message =
+		Guarded([&](ErrorContext& context) { outcome.report = Label(document, list, progress, context); });
+	outcome.ok = outcome.message.empty();
+	Guarded([&](ErrorContext&) {
+		if (!outcome.ok) return Say(outcome.message, log);
+		Say(ReportJson(outcome.report), log);
+#if MESHLAB_API == 2020
+		log(FilterScript(outcome.report.request));
+#else
+		log(PythonCall(outcome.report.request));
+#endif
+	});
+	return outcome;
+}
+
+}  // namespace textlabel

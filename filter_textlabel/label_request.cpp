@@ -1,0 +1,216 @@
+#include "label_request.h"
+#include "request_error.h"
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <cmath>
+
+namespace textlabel {
+namespace {
+
+bool ReadNumber(const std::string& text, double& value)
+{
+	const char* first = text.data();
+	if (!text.empty() && text[0] == '+') ++first;
+	const char* const last = text.data() + text.size();
+	const auto [end, error] = std::from_chars(first, last, value);
+	return error == std::errc() && end == last;
+}
+
+std::vector<std::string> Split(const std::string& text, char separator)
+{
+	std::vector<std::string> parts{""};
+	for (const char c : text) {
+		if (c == separator) parts.emplace_back();
+		else parts.back() += c;
+	}
+	return parts;
+}
+
+std::string LowerCase(std::string text)
+{
+	for (char& c : text) c = char(std::tolower(static_cast<unsigned char>(c)));
+	return text;
+}
+
+// ---- text of a value, one overload for each type of member
+
+std::string TextOf(const std::string& value) { return value; }
+std::string TextOf(double value) { return NumberText(value); }
+std::string TextOf(bool value) { return value ? "true" : "false"; }
+std::string TextOf(const vcg::Point3d& p) { return NumberText(p[0]) + "," + NumberText(p[1]) + "," + NumberText(p[2]); }
+
+std::string TextOf(const Rgb& color)
+{
+	static const char* const digits = "0123456789abcdef";
+	std::string text;
+	for (const unsigned part : color) {
+		text += digits[part / 16];
+		text += digits[part % 16];
+	}
+	return text;
+}
+
+template <class Choice>
+std::string TextOf(Choice value)
+{
+	return ChoiceNames(value)[size_t(value)];
+}
+
+// ---- value of a text; false: unreadable
+
+bool Read(const std::string& text, std::string& value)
+{
+	value = text;
+	return true;
+}
+
+bool Read(const std::string& text, double& value) { return ReadNumber(text, value); }
+
+bool Read(const std::string& text, bool& value)
+{
+	value = text == "true" || text == "1";
+	return value || text == "false" || text == "0";
+}
+
+bool Read(const std::string& text, vcg::Point3d& value)
+{
+	const auto parts = Split(text, ',');
+	if (parts.size() != 3) return false;
+	for (int i = 0; i < 3; ++i)
+		if (!ReadNumber(parts[size_t(i)], value[i])) return false;
+	return true;
+}
+
+bool Read(const std::string& text, Rgb& value)
+{
+	const std::string digits = !text.empty() && text[0] == '#' ? text.substr(1) : text;
+	if (digits.size() != 6) return false;
+	for (size_t i = 0; i < 3; ++i) {
+		const char* const first = digits.data() + 2 * i;
+		const auto [end, error] = std::from_chars(first, first + 2, value[i], 16);
+		if (error != std::errc() || end != first + 2) return false;
+	}
+	return true;
+}
+
+template <class Choice>
+bool Read(const std::string& text, Choice& value)
+{
+	const auto& names = ChoiceNames(value);
+	const std::string wanted = LowerCase(text);
+	for (size_t i = 0; i < names.size(); ++i) {
+		const bool begins = !wanted.empty() && LowerCase(names[i]).compare(0, wanted.size(), wanted) == 0;
+		if (!begins && wanted != std::to_string(i)) continue;
+		value = Choice(i);
+		return true;
+	}
+	return false;
+}
+
+// ---- checks
+
+void CheckFinite(const Parameter& parameter, const LabelRequest& request)
+{
+	const auto check = [&](double value) {
+		if (!std::isfinite(value)) throw RequestError(RequestProblem::NotANumber, parameter.name).measured(value);
+	};
+	VisitMember(parameter, request, [&](const auto& value) {
+		using Type = std::decay_t<decltype(value)>;
+		if constexpr (std::is_same_v<Type, double>) check(value);
+		else if constexpr (std::is_same_v<Type, vcg::Point3d>)
+			for (int i = 0; i < 3; ++i) check(value[i]);
+	});
+}
+
+void CheckLength(const char* name, double value, double largest)
+{
+	if (value == ChosenToFit) return;
+	if (!(value > 0)) throw RequestError(RequestProblem::NeitherPositiveNorFit, name).measured(value);
+	if (value > largest) throw RequestError(RequestProblem::LargerThanPart, name).measured(value, largest);
+}
+
+void CheckRange(const char* name, double value, double low, double high)
+{
+	if (value < low) throw RequestError(RequestProblem::OutOfRange, name).measured(value, low);
+	if (value > high) throw RequestError(RequestProblem::OutOfRange, name).measured(value, high);
+}
+
+/// Two significant digits, so that a dialog shows the number as it is.
+double Rounded(double value)
+{
+	if (!(value > 0) || !std::isfinite(value)) return 1;
+	const double step = std::pow(10, std::floor(std::log10(value)) - 1);
+	return std::round(value / step) * step;
+}
+
+}  // namespace
+
+std::string NumberText(double value)
+{
+	char buffer[32];
+	const auto end = std::to_chars(buffer, buffer + sizeof buffer, value).ptr;
+	return {buffer, end};
+}
+
+std::string ValueText(const Parameter& parameter, const LabelRequest& request)
+{
+	std::string text;
+	VisitMember(parameter, request, [&](const auto& value) { text = TextOf(value); });
+	return text;
+}
+
+void SetValue(const Parameter& parameter, LabelRequest& request, const std::string& text)
+{
+	VisitMember(parameter, request, [&](auto& value) {
+		if (!Read(text, value)) throw RequestError(RequestProblem::UnreadableValue, parameter.name, text);
+	});
+}
+
+TextOptions TextOptionsOf(const LabelRequest& request, double size)
+{
+	TextOptions options;
+	options.font = request.font;
+	options.language = request.language;
+	options.features = request.features;
+	options.fallbackFonts = request.fallbackFonts;
+	options.size = size;
+	options.tolerance = request.tolerance == ChosenToFit ? 0 : request.tolerance;
+	options.align = request.align;
+	options.anchor = request.anchor;
+	options.lineSpacing = request.lineSpacing;
+	options.letterSpacing = request.letterSpacing;
+	options.slant = request.slant;
+	options.embolden = request.embolden;
+	options.arcRadius = request.arcRadius;
+	options.mirrored = request.mirrored;
+	options.minStroke = request.minStroke;
+	options.minGap = request.minGap;
+	return options;
+}
+
+LabelRequest WindowDefaults(const vcg::Box3d& box)
+{
+	constexpr double sizeOfDiagonal = 0.05, depthOfSize = 0.1;
+	LabelRequest request;
+	request.placement = PlacementKind::CurrentView;
+	if (box.IsNull()) return request;
+	request.size = Rounded(box.Diag() * sizeOfDiagonal);
+	request.depth = Rounded(request.size * depthOfSize);
+	request.position = {(box.min[0] + box.max[0]) / 2, (box.min[1] + box.max[1]) / 2, box.max[2]};
+	return request;
+}
+
+void CheckRequest(const LabelRequest& request, const vcg::Box3d& box)
+{
+	for (const Parameter& parameter : ParameterTable()) CheckFinite(parameter, request);
+	CheckLength("size", request.size, box.Diag());
+	if (request.style != LabelStyle::Flat) CheckLength("depth", request.depth, box.Diag());
+	CheckLength("tolerance", request.tolerance, box.Diag());
+	CheckRange("fit_width", request.fitWidth, 0, box.Diag());
+	CheckRange("field_of_view", request.fieldOfView, 0, 180);
+	CheckRange("max_stretch", request.maxStretch, 1, INFINITY);
+}
+
+}  // namespace textlabel

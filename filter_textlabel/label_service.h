@@ -1,0 +1,227 @@
+#pragma once
+// The filter itself: a request and a mesh in, a labelled mesh and a report out; the same for every host.
+//
+// text -> outline (text_outline.h); place -> frames (placement.h); both -> the library (vcg_ext/text_label.h); then what a host
+// expects of a changed mesh. Until the library commits, the mesh is only read; after it, nothing can fail.
+
+#include "error_text.h"
+#include "label_report.h"
+#include "mesh_numbers.h"
+#include "placement.h"
+#include "stage_clock.h"
+#include "vcg_ext/text_label.h"
+
+#include <vcg/complex/algorithms/update/bounding.h>
+
+namespace textlabel {
+
+/// What the service asks of its host.
+struct ServiceHost {
+	std::function<std::optional<Camera>()> currentView;  ///< null, or nothing returned: there is no window
+	std::function<bool(int percent)> progress;           ///< null, or return false to cancel
+};
+
+/// One run on one mesh.
+template <class MeshType>
+class LabelJob {
+public:
+	/// @param[in] toWorld  the layer's matrix
+	/// @param[out] context  what a sentence about an error needs; kept up to date while running
+	LabelJob(MeshType& m, const vcg::Matrix44d& toWorld, const ServiceHost& host, ErrorContext& context)
+		: m_(m), toWorld_(toWorld), host_(host), context_(context)
+	{}
+
+	/// Label the mesh; it is as it was when an exception comes.
+	/// @throws vcg::textlabel::Error, TextError, RequestError, std::bad_alloc
+	LabelReport run(const LabelRequest& request);
+
+	/// Where the label is in the mesh, after run().
+	const vcg::textlabel::LabelResult& result() const { return result_; }
+	const vcg::textlabel::LabelFrame& frame() const { return frame_; }
+
+private:
+	PartProbe probe() const;
+	Camera viewFor(LabelRequest& request) const;
+	void label(const LabelRequest& request, const std::vector<Attempt>& attempts, TextSetter& text);
+	void tryAttempt(const LabelRequest& request, const Attempt& attempt, const TextOutline& outline);
+	void labelAtDepth(const LabelRequest& request, const TextOutline& outline, double depth);
+	void finish(const LabelRequest& request);
+	void updateNormals();
+	LabelReport report(const LabelRequest& request, const TextOutline& outline) const;
+
+	MeshType& m_;
+	const vcg::Matrix44d toWorld_;
+	const ServiceHost& host_;
+	ErrorContext& context_;
+	vcg::Box3d box_;
+	vcg::textlabel::LabelFrame frame_;
+	vcg::textlabel::LabelResult result_;
+	double size_ = 0, height_ = 0;
+};
+
+// ---------------------------------------------------------------------------------------------------------------------------
+
+template <class MeshType>
+PartProbe LabelJob<MeshType>::probe() const
+{
+	return {box_, [this](const SightLine& line) { return HitsOnLine(m_, toWorld_, line); },
+	        [this] { return GeometryOf(m_, toWorld_); }};
+}
+
+/// The camera for placements that have one. A window's view becomes the request's camera, read back from its text, so that the
+/// request can be run again with the same result to the last bit.
+template <class MeshType>
+Camera LabelJob<MeshType>::viewFor(LabelRequest& request) const
+{
+	if (request.placement == PlacementKind::CurrentView) {
+		const std::optional<Camera> view = host_.currentView ? host_.currentView() : std::nullopt;
+		if (!view) throw RequestError(RequestProblem::NoWindow, "placement");
+		request.placement = PlacementKind::Camera;
+		request.camera = WriteCamera(*view);
+	}
+	return request.placement == PlacementKind::Camera ? RequestedCamera(request) : Camera();
+}
+
+template <class MeshType>
+LabelReport LabelJob<MeshType>::run(const LabelRequest& asked)
+{
+	LabelRequest request = asked;
+	StageClock clock;
+	box_ = WorldBox(m_, toWorld_);
+	if (m_.FN() == 0 || box_.IsNull()) throw RequestError(RequestProblem::EmptyPart);
+	CheckRequest(request, box_);
+	const MeshNumbers before = NumbersOf(m_);
+	clock.end("measure");
+	TextSetter text(request);
+	const std::vector<Attempt> attempts = PlanAttempts(request, viewFor(request), probe(), text);
+	clock.end("place");
+	label(request, attempts, text);
+	clock.end("label");
+	finish(request);
+	clock.end("finish");
+	LabelReport made = report(request, text.at(size_));
+	made.before = made.after = before;
+	made.after.vertices = m_.VN();
+	made.after.triangles = m_.FN();
+	made.after.volume += result_.addedVolume;
+	made.milliseconds = clock.stages();
+	return made;
+}
+
+/// The first attempt that the library takes; when it takes none, the error of the first one.
+template <class MeshType>
+void LabelJob<MeshType>::label(const LabelRequest& request, const std::vector<Attempt>& attempts, TextSetter& text)
+{
+	std::optional<vcg::textlabel::Error> first;
+	ErrorContext firstContext;
+	for (const Attempt& attempt : attempts) {
+		try {
+			return tryAttempt(request, attempt, text.at(attempt.size));
+		} catch (const vcg::textlabel::Error& error) {
+			if (!DependsOnPlace(error.code)) throw;
+			if (first) continue;
+			first = error;
+			firstContext = context_;
+		}
+	}
+	context_ = firstContext;
+	throw *first;
+}
+
+/// A depth that is left to us is a share of the size, less where the part is thin.
+template <class MeshType>
+void LabelJob<MeshType>::tryAttempt(const LabelRequest& request, const Attempt& attempt, const TextOutline& outline)
+{
+	constexpr double ofSize = 0.1, ofWall = 0.4, ofRoom = 0.5;
+	frame_ = attempt.frame;
+	frame_.toWorld = toWorld_;
+	size_ = attempt.size;
+	context_.letters = outline.letters;
+	context_.size = size_;
+	const bool choose = request.depth == ChosenToFit && request.style != LabelStyle::Flat;
+	if (!choose) return labelAtDepth(request, outline, request.depth);
+	double depth = size_ * ofSize;
+	if (request.style == LabelStyle::Engrave && attempt.wall > 0) depth = std::min(depth, attempt.wall * ofWall);
+	try {
+		labelAtDepth(request, outline, depth);
+	} catch (const vcg::textlabel::Error& error) {
+		using Code = vcg::textlabel::ErrorCode;
+		const bool shallower = error.limit > 0 && error.limit < depth;
+		if (!shallower || (error.code != Code::HitsSurface && error.code != Code::HitsItself)) throw;
+		labelAtDepth(request, outline, error.limit * ofRoom);
+	}
+}
+
+template <class MeshType>
+void LabelJob<MeshType>::labelAtDepth(const LabelRequest& request, const TextOutline& outline, double depth)
+{
+	height_ = request.style == LabelStyle::Emboss ? depth : request.style == LabelStyle::Engrave ? -depth : 0;
+	context_.depth = height_;
+	vcg::textlabel::LabelOptions options;
+	options.height = height_;
+	options.along = vcg::textlabel::ExtrudeAlong(request.extrudeAlong);
+	options.maxStretch = request.maxStretch;
+	options.progress = host_.progress;
+	result_ = vcg::textlabel::LabelMesh(m_, outline.outline, frame_, options);
+}
+
+/// Selection, colour, box and normals of what has changed.
+template <class MeshType>
+void LabelJob<MeshType>::finish(const LabelRequest& request)
+{
+	const bool colors = vcg::tri::HasPerFaceColor(m_) && (request.style == LabelStyle::Flat || request.tint);
+	for (auto& f : m_.face) f.ClearS();
+	for (const auto* faces : {&result_.topFaces, &result_.wallFaces})
+		for (const int f : *faces) {
+			m_.face[size_t(f)].SetS();
+			if (colors)
+				m_.face[size_t(f)].C() = vcg::Color4b(request.color[0], request.color[1], request.color[2], 255);
+		}
+	vcg::tri::UpdateBounding<MeshType>::Box(m_);
+	updateNormals();
+}
+
+/// New faces get their normals; so do the vertices that are new or may have moved. All faces around these are new.
+template <class MeshType>
+void LabelJob<MeshType>::updateNormals()
+{
+	std::vector<bool> isNew(m_.vert.size(), false);
+	std::fill(isNew.begin() + result_.firstNewVertex, isNew.end(), true);
+	for (const int f : result_.topFaces)
+		for (int k = 0; k < 3; ++k) isNew[size_t(m_.face[size_t(f)].V(k) - m_.vert.data())] = true;
+	const bool perVertex = vcg::tri::HasPerVertexNormal(m_), perFace = vcg::tri::HasPerFaceNormal(m_);
+	for (size_t v = 0; v < isNew.size() && perVertex; ++v)
+		if (isNew[v]) m_.vert[v].N().SetZero();
+	for (const auto* faces : {&result_.topFaces, &result_.wallFaces, &result_.outsideFaces})
+		for (const int index : *faces) {
+			auto& f = m_.face[size_t(index)];
+			const auto normal = vcg::TriangleNormal(f).Normalize();
+			if (perFace) f.N() = normal;
+			for (int k = 0; k < 3 && perVertex; ++k)  // weighted by the angle, as MeshLab does it
+				if (isNew[size_t(f.V(k) - m_.vert.data())])
+					f.V(k)->N() += normal * vcg::Angle(f.P1(k) - f.P(k), f.P2(k) - f.P(k));
+		}
+	for (size_t v = 0; v < isNew.size() && perVertex; ++v)
+		if (isNew[v]) m_.vert[v].N().Normalize();
+}
+
+template <class MeshType>
+LabelReport LabelJob<MeshType>::report(const LabelRequest& request, const TextOutline& outline) const
+{
+	LabelReport r;
+	r.request = request;
+	r.size = size_;
+	r.depth = height_;
+	r.font = outline.fonts.empty() ? std::string() : outline.fonts.front();
+	r.thinnestStroke = outline.thinnestStroke.width;
+	r.narrowestGap = outline.narrowestGap.width;
+	r.touchedTriangles = result_.touchedFaces;
+	r.labelArea = result_.labelArea;
+	r.surfaceArea = result_.surfaceArea;
+	r.stretch = result_.stretch;
+	r.resolution = result_.resolution;
+	r.view = {frame_.origin, frame_.w, frame_.v, frame_.perspective, frame_.center};
+	return r;
+}
+
+}  // namespace textlabel

@@ -1,0 +1,140 @@
+#include "label_request.h"
+
+#include <algorithm>
+
+namespace textlabel {
+
+const std::vector<std::string>& ChoiceNames(LabelStyle)
+{
+	static const std::vector<std::string> names{"Emboss", "Engrave", "Flat"};
+	return names;
+}
+
+const std::vector<std::string>& ChoiceNames(PlacementKind)
+{
+	static const std::vector<std::string> names{"Current view", "Camera", "Point and direction", "Automatic"};
+	return names;
+}
+
+const std::vector<std::string>& ChoiceNames(ExtrudeDirection)
+{
+	static const std::vector<std::string> names{"Viewpoint", "Label normal", "Surface normal"};
+	return names;
+}
+
+const std::vector<std::string>& ChoiceNames(Align)
+{
+	static const std::vector<std::string> names{"Left", "Center", "Right"};
+	return names;
+}
+
+const std::vector<std::string>& ChoiceNames(Anchor)
+{
+	static const std::vector<std::string> names{"Baseline", "Middle", "Top"};
+	return names;
+}
+
+const std::vector<Parameter>& ParameterTable()
+{
+	using R = LabelRequest;
+	using Use = ParameterUse;
+	constexpr bool advanced = true;
+	static const std::vector<Parameter> table{
+		{"text", "Text", "The text of the label, in any language. Write \\n to break a line.", &R::text},
+		{"font", "Font",
+	     "A font family (DejaVu Sans:Bold) or a font file (.ttf, .otf, .ttc). Empty: the font inside this "
+	     "filter.",
+	     &R::font, Use::FontName},
+		{"size", "Size (capital height, mesh units)",
+	     "Height of a capital letter, in the units of the mesh. -1: chosen so that the text fits.", &R::size},
+		{"depth", "Depth (mesh units)",
+	     "How far the letters stand out (Emboss) or sink in (Engrave), in the units of the mesh; Flat ignores "
+	     "it. -1: chosen from the size.",
+	     &R::depth},
+		{"style", "Style",
+	     "Emboss: the letters stand out of the surface. Engrave: they sink into it. Flat: the surface keeps "
+	     "its shape, the letters are coloured and selected.",
+	     &R::style},
+		{"placement", "Placement",
+	     "Current view: where the centre of the window meets the part, as you see it when you press Apply. "
+	     "Camera: the same with a copied camera. Point and direction: on the surface at a point, seen in "
+	     "parallel. Automatic: on the largest flat region that holds the text.",
+	     &R::placement},
+		{"camera", "Camera (as text)",
+	     "For the placement Camera: what 'Copy camera settings to clipboard' gives. Empty: the viewpoint is "
+	     "the position below, looking against the direction below.",
+	     &R::camera},
+		{"position", "Position",
+	     "For Point and direction: the point to label, in world coordinates; it is moved onto the surface "
+	     "along the direction. For Camera without text: the viewpoint.",
+	     &R::position, Use::Place},
+		{"direction", "Direction to the viewer",
+	     "From the surface to the one who reads, of any length but zero. For Point and direction, and for "
+	     "Camera without text.",
+	     &R::direction, Use::Direction},
+		{"up", "Up",
+	     "Where the top of the letters points, not parallel to the direction. 0 0 0: chosen so that the text "
+	     "reads upright.",
+	     &R::up, Use::Direction},
+		{"field_of_view", "Field of view (degrees)",
+	     "Of a Camera without text. 5 and less is a parallel view, as in MeshLab.", &R::fieldOfView, Use::Value,
+	     advanced},
+		{"offset_u", "Shift right (mesh units)", "Shift of the label to the right in its plane, before it is rotated.",
+	     &R::offsetU},
+		{"offset_v", "Shift up (mesh units)", "Shift of the label upwards in its plane, before it is rotated.",
+	     &R::offsetV},
+		{"rotation", "Rotation (degrees)", "Turns the label counter-clockwise, as the viewer sees it.", &R::rotation},
+		{"extrude_along", "Extrude along",
+	     "Viewpoint: along the lines of sight; this never folds. Label normal: straight out of the label's "
+	     "plane. Surface normal: along the smoothed normals of the surface.",
+	     &R::extrudeAlong, Use::Value, advanced},
+		{"tolerance", "Tolerance (mesh units)",
+	     "Largest distance between the font's curves and the polygons that are cut. -1: fine for the size.",
+	     &R::tolerance, Use::Value, advanced},
+		{"align", "Align", "Which end of the lines of text comes to the place.", &R::align},
+		{"anchor", "Anchor", "Which height of the text comes to the place.", &R::anchor},
+		{"fit_width", "Width to fit (mesh units)",
+	     "Width of the whole text; the size follows from it. 0: the size counts.", &R::fitWidth, Use::Value, advanced},
+		{"line_spacing", "Line spacing", "Distance between lines, times the font's own.", &R::lineSpacing, Use::Value,
+	     advanced},
+		{"letter_spacing", "Letter spacing", "Space added between letters, in capital heights.", &R::letterSpacing,
+	     Use::Value, advanced},
+		{"slant", "Slant (degrees)", "Leans the letters to the right.", &R::slant, Use::Value, advanced},
+		{"embolden", "Embolden (mesh units)", "Moves the outlines outwards; negative numbers thin the letters.",
+	     &R::embolden, Use::Value, advanced},
+		{"arc_radius", "Arc radius (mesh units)",
+	     "Sets the text on a circle. Positive: on top of it. Negative: hanging in it. 0: straight.", &R::arcRadius,
+	     Use::Value, advanced},
+		{"mirrored", "Mirrored", "Left and right swapped, for moulds and stamps.", &R::mirrored, Use::Value, advanced},
+		{"language", "Language", "For letter forms that differ by language, as ja, zh-Hant or sr. Empty: none.",
+	     &R::language, Use::Value, advanced},
+		{"features", "OpenType features", "Comma-separated, as tnum,ss01,-liga.", &R::features, Use::Value, advanced},
+		{"fallback_fonts", "Fallback fonts",
+	     "Take characters that the font lacks from other installed fonts, instead of refusing the text.",
+	     &R::fallbackFonts, Use::Value, advanced},
+		{"min_stroke", "Thinnest stroke (mesh units)",
+	     "Refuse the text when a stroke is thinner than this. 0: not checked.", &R::minStroke, Use::Value, advanced},
+		{"min_gap", "Narrowest gap (mesh units)", "Refuse the text when a gap is narrower than this. 0: not checked.",
+	     &R::minGap, Use::Value, advanced},
+		{"tint", "Colour raised letters", "Colour the faces of an embossed or engraved label too.", &R::tint},
+		{"color", "Colour", "Face colour of a flat label, and of others when Colour raised letters is on.", &R::color},
+		{"max_stretch", "Largest stretch",
+	     "A surface that is steep to the view stretches the letters. The label is refused where a length on "
+	     "the surface is more than so many times the length in the label.",
+	     &R::maxStretch, Use::Value, advanced},
+		{"report", "Report file", "Write the report (JSON) to this file. Empty: it is logged only.", &R::report,
+	     Use::JsonFile, advanced},
+		{"picture", "Picture file", "Write a picture (PNG) of the labelled part to this file. Empty: none.",
+	     &R::picture, Use::ImageFile, advanced},
+	};
+	return table;
+}
+
+const Parameter* FindParameter(const std::string& name)
+{
+	const auto& table = ParameterTable();
+	const auto row = std::find_if(table.begin(), table.end(), [&](const Parameter& p) { return name == p.name; });
+	return row == table.end() ? nullptr : &*row;
+}
+
+}  // namespace textlabel

@@ -1,0 +1,236 @@
+#include "placement.h"
+#include "request_error.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace textlabel {
+namespace {
+
+using vcg::textlabel::LabelFrame;
+
+const vcg::Point3d origin(0, 0, 0);
+
+/// Up for a text that is read upright: the world's z, and on a floor or a ceiling its y, as on a sheet on the table.
+vcg::Point3d UprightFor(const vcg::Point3d& towardsViewer)
+{
+	constexpr double level = 0.9659258262890683;  // cosine of 15 degrees
+	return std::abs(towardsViewer[2]) > level * towardsViewer.Norm() ? vcg::Point3d(0, 1, 0) : vcg::Point3d(0, 0, 1);
+}
+
+/// A frame at a point, parallel, from the request's direction and up.
+LabelFrame FrameOf(const LabelRequest& request)
+{
+	if (request.direction == origin) throw RequestError(RequestProblem::DirectionZero, "direction");
+	const vcg::Point3d up = request.up == origin ? UprightFor(request.direction) : request.up;
+	try {
+		return vcg::textlabel::FrameFromDirection(request.position, request.direction, up);
+	} catch (const vcg::textlabel::Error&) {  // finite and not zero: only this is left
+		throw RequestError(RequestProblem::UpAlongDirection, "up");
+	}
+}
+
+LabelFrame FrameOf(const Camera& camera)
+{
+	LabelFrame frame;
+	frame.u = camera.right;
+	frame.v = camera.up;
+	frame.w = camera.backwards;
+	frame.perspective = camera.perspective;
+	frame.center = camera.viewpoint;
+	return frame;
+}
+
+vcg::Point3d OffsetOf(const LabelRequest& request, const LabelFrame& frame)
+{
+	return frame.u * request.offsetU + frame.v * request.offsetV;
+}
+
+/// The first face on a line of sight of a camera.
+/// @return the place in world coordinates
+vcg::Point3d SeenPoint(const LabelFrame& frame, const vcg::Point3d& through, const PartProbe& part)
+{
+	const vcg::Point3d away = frame.perspective ? through - frame.center : origin - frame.w;
+	const SightLine line{frame.perspective ? frame.center : through, away / away.Norm()};
+	for (const SurfaceHit& hit : part.hitsOnLine(line)) {
+		if (frame.perspective && !(hit.distance > 0)) continue;
+		if (!hit.facing) throw RequestError(RequestProblem::ViewFromInside);
+		return line.origin + line.direction * hit.distance;
+	}
+	throw RequestError(RequestProblem::ViewMissesPart);
+}
+
+LabelFrame PlaceInView(const LabelRequest& request, const Camera& camera, const PartProbe& part)
+{
+	LabelFrame frame = FrameOf(camera);
+	const vcg::Point3d center = SeenPoint(frame, camera.viewpoint - camera.backwards, part);
+	const vcg::Point3d offset = OffsetOf(request, frame);
+	frame.origin = offset == origin ? center : SeenPoint(frame, center + offset, part);
+	return frame;
+}
+
+/// The face that looks to the viewer nearest to the position; a face before it would hide the label.
+LabelFrame PlaceAtPoint(const LabelRequest& request, const PartProbe& part)
+{
+	LabelFrame frame = FrameOf(request);
+	const SightLine line{request.position + OffsetOf(request, frame), origin - frame.w};
+	const std::vector<SurfaceHit> hits = part.hitsOnLine(line);
+	const SurfaceHit* nearest = nullptr;
+	for (const SurfaceHit& hit : hits)
+		if (hit.facing && (!nearest || std::abs(hit.distance) < std::abs(nearest->distance))) nearest = &hit;
+	if (!nearest) throw RequestError(RequestProblem::PointMissesPart, "position");
+	const double hidden = nearest->distance - hits.front().distance;
+	if (hidden > 0) throw RequestError(RequestProblem::HiddenPlace, "position").measured(hidden);
+	frame.origin = line.origin + line.direction * nearest->distance;
+	return frame;
+}
+
+void Rotate(LabelFrame& frame, double degrees)
+{
+	if (degrees == 0) return;
+	const double turns = std::remainder(degrees, 360.0), angle = turns * std::acos(-1.0) / 180;
+	// right angles exactly: a label along the edges of a box stays along them
+	const double c = std::abs(turns) == 90 ? 0 : std::cos(angle), s = std::abs(turns) == 180 ? 0 : std::sin(angle);
+	const vcg::Point3d u = frame.u * c + frame.v * s;
+	frame.v = frame.v * c - frame.u * s;
+	frame.u = u;
+}
+
+/// Length of a box along a direction.
+double Extent(const vcg::Box3d& box, const vcg::Point3d& direction)
+{
+	double sum = 0;
+	for (int i = 0; i < 3; ++i) sum += std::abs(direction[i]) * (box.max[i] - box.min[i]);
+	return sum;
+}
+
+/// A text's bounding box at capital height 1, the anchor at (0, 0).
+struct TextExtent {
+	vcg::Point2d low{0, 0}, high{0, 0};
+	double width() const { return high[0] - low[0]; }
+	double height() const { return high[1] - low[1]; }
+};
+
+/// @param[in] size  capital height, or ChosenToFit
+TextExtent ExtentOf(const LabelRequest& request, double size, TextSetter& text)
+{
+	constexpr double arcShare = 0.2;  // of the radius: a size at which most texts fit on the arc
+	TextExtent extent;
+	if (size != ChosenToFit) {
+		const TextOutline& outline = text.at(size);
+		return {outline.boxMin / size, outline.boxMax / size};
+	}
+	LabelRequest probe = request;
+	probe.tolerance = ChosenToFit;
+	probe.embolden = probe.minStroke = probe.minGap = 0;  // lengths, which mean nothing before the size is known
+	const double probeSize = request.arcRadius == 0 ? 1 : std::abs(request.arcRadius) * arcShare;
+	const TextOutline outline = MakeTextOutline(probe.text, TextOptionsOf(probe, probeSize));
+	return {outline.boxMin / probeSize, outline.boxMax / probeSize};
+}
+
+/// The capital height that is asked for, or ChosenToFit.
+double WantedSize(const LabelRequest& request)
+{
+	if (!(request.fitWidth > 0)) return request.size;
+	TextOptions options = TextOptionsOf(request, 1);
+	options.fitWidth = request.fitWidth;
+	return MakeTextOutline(request.text, options).capitalHeight;
+}
+
+/// Sizes to try: a text of half the part at first, then smaller.
+std::vector<double> SizesToTry(const TextExtent& extent, const LabelFrame& frame, const vcg::Box3d& box)
+{
+	constexpr double share = 0.5, largest = 0.08,
+					 step = 0.7;  // of the part's extent; of its diagonal; from one to the next
+	constexpr int count = 9;
+	double size = box.Diag() * largest;
+	if (extent.width() > 0) size = std::min(size, share * Extent(box, frame.u) / extent.width());
+	if (extent.height() > 0) size = std::min(size, share * Extent(box, frame.v) / extent.height());
+	std::vector<double> sizes;
+	for (int i = 0; i < count && size > 0; ++i, size *= step) sizes.push_back(size);
+	return sizes;
+}
+
+std::vector<Attempt> AttemptsAtPlace(const LabelRequest& request, double size, const Camera& camera,
+                                     const PartProbe& part, TextSetter& text)
+{
+	LabelFrame frame = request.placement == PlacementKind::PointAndDirection ? PlaceAtPoint(request, part)
+	                                                                         : PlaceInView(request, camera, part);
+	Rotate(frame, request.rotation);
+	if (size != ChosenToFit) return {{frame, size, 0}};
+	std::vector<Attempt> attempts;
+	for (const double s : SizesToTry(ExtentOf(request, size, text), frame, part.box)) attempts.push_back({frame, s, 0});
+	return attempts;
+}
+
+/// Width and height of the box around the turned text.
+vcg::Point2d TurnedExtent(const TextExtent& extent, double degrees)
+{
+	LabelFrame axes;
+	Rotate(axes, degrees);
+	const double c = std::abs(axes.u[0]), s = std::abs(axes.u[1]);
+	return {extent.width() * c + extent.height() * s, extent.width() * s + extent.height() * c};
+}
+
+std::vector<Attempt> AttemptsAnywhere(const LabelRequest& request, double size, const PartProbe& part, TextSetter& text)
+{
+	const TextExtent extent = ExtentOf(request, size, text);
+	const vcg::Point2d turned = TurnedExtent(extent, request.rotation);
+	const PartGeometry geometry = part.geometry();
+	PlaceQuery query{geometry.positions, geometry.triangles};
+	query.labelWidth = turned[0];
+	query.labelHeight = turned[1];
+	query.size = size;
+	query.up = request.up;
+	if (request.depth != ChosenToFit && request.style != LabelStyle::Flat)
+		query.depth = request.style == LabelStyle::Engrave ? -request.depth : request.depth;
+	std::vector<Attempt> attempts;
+	for (const Place& place : FindPlaces(query)) {
+		LabelFrame frame = vcg::textlabel::FrameFromDirection(place.position, place.direction, place.up);
+		frame.origin += OffsetOf(request, frame);
+		Rotate(frame, request.rotation);
+		const vcg::Point2d center = (extent.low + extent.high) * (place.size / 2);
+		frame.origin -= frame.u * center[0] + frame.v * center[1];
+		attempts.push_back({frame, place.size, place.wall});
+	}
+	if (attempts.empty()) throw RequestError(RequestProblem::NoPlace, "size").measured(size);
+	return attempts;
+}
+
+/// The camera of a request without XML: viewpoint `position`, looking against `direction`.
+Camera CameraFromNumbers(const LabelRequest& request)
+{
+	constexpr double parallelBelow = 5;  // degrees, as MeshLab has it
+	const LabelFrame frame = FrameOf(request);
+	Camera camera;
+	camera.viewpoint = request.position;
+	camera.right = frame.u;
+	camera.up = frame.v;
+	camera.backwards = frame.w;
+	camera.perspective = request.fieldOfView > parallelBelow;
+	return camera;
+}
+
+}  // namespace
+
+const TextOutline& TextSetter::at(double size)
+{
+	if (size != size_) outline_ = MakeTextOutline(request_.text, TextOptionsOf(request_, size));
+	size_ = size;
+	return outline_;
+}
+
+Camera RequestedCamera(const LabelRequest& request)
+{
+	return request.camera.empty() ? CameraFromNumbers(request) : ReadCamera(request.camera);
+}
+
+std::vector<Attempt> PlanAttempts(const LabelRequest& request, const Camera& camera, const PartProbe& part,
+                                  TextSetter& text)
+{
+	const double size = WantedSize(request);
+	return request.placement == PlacementKind::Automatic ? AttemptsAnywhere(request, size, part, text)
+	                                                     : AttemptsAtPlace(request, size, camera, part, text);
+}
+
+}  // namespace textlabel

@@ -1,0 +1,96 @@
+#pragma once
+// Where a line of sight meets a part.
+//
+// One linear pass, no search structure. In the plane across the line every vertex gets a code for its side of two axes; a face
+// whose corners are all on one side is skipped. Whether the line goes through one of the few faces left is decided exactly,
+// so it cannot slip through between two of them.
+
+#include "vcg_ext/label_frame.h"
+#include "vcg_ext/predicates.h"
+
+#include <cstdint>
+#include <vector>
+#include <vcg/math/matrix44.h>
+
+namespace textlabel {
+
+/// A line that is run along `direction`, away from the viewer; world coordinates.
+struct SightLine {
+	vcg::Point3d origin{0, 0, 0};
+	vcg::Point3d direction{0, 0, -1};  ///< any length but zero
+};
+
+/// Where a line meets a face.
+struct SurfaceHit {
+	double distance = 0;  ///< from the line's origin, away from the viewer, world units; negative before the origin
+	int face = -1;
+	bool facing = false;  ///< the face shows its outside to the one who looks along the line
+};
+
+namespace detail {
+
+enum LineSide : std::uint8_t { LeftOfLine = 1, RightOfLine = 2, BelowLine = 4, AboveLine = 8, NotFinite = 16 };
+
+/// Side of a point in a space whose z axis is the line.
+inline std::uint8_t SideOfLine(const vcg::Point3d& q)
+{
+	if (!vcg::textlabel::IsFinite(q)) return NotFinite;
+	return std::uint8_t((q[0] < 0   ? LeftOfLine
+	                     : q[0] > 0 ? RightOfLine
+	                                : 0) |
+	                    (q[1] < 0   ? BelowLine
+	                     : q[1] > 0 ? AboveLine
+	                                : 0));
+}
+
+/// +1 or -1 when the z axis goes through the triangle, or through its border, and the triangle is counter-clockwise or clockwise
+/// seen from +z; 0 when it misses it, or the triangle is seen edge-on.
+inline int TurnAroundAxis(const vcg::Point3d (&q)[3])
+{
+	vcg::Point2d p[3];
+	for (int k = 0; k < 3; ++k) p[k] = {q[k][0], q[k][1]};
+	const int turn = vcg::textlabel::Orient2d(p[0], p[1], p[2]);
+	for (int k = 0; k < 3; ++k)
+		if (vcg::textlabel::Orient2d({0, 0}, p[k], p[(k + 1) % 3]) == -turn) return 0;
+	return turn;
+}
+
+}  // namespace detail
+
+/// All faces that a line meets, nearest to the viewer first; faces seen edge-on and those that are not finite are left out.
+/// @param[in] toWorld  mesh coordinates to world coordinates; affine, regular, may mirror
+/// @throws vcg::textlabel::Error{BadFrame} when the line is not finite or has no direction
+template <class MeshType>
+std::vector<SurfaceHit> HitsOnLine(const MeshType& m, const vcg::Matrix44d& toWorld, const SightLine& line)
+{
+	const vcg::Point3d towards = vcg::Point3d(0, 0, 0) - line.direction;
+	const bool isSteep = std::abs(towards[0]) < std::abs(towards[1]);
+	auto frame = vcg::textlabel::FrameFromDirection(line.origin, towards,
+	                                                isSteep ? vcg::Point3d(1, 0, 0) : vcg::Point3d(0, 1, 0));
+	frame.toWorld = toWorld;
+	const vcg::textlabel::LabelSpace space(frame);
+	const auto inSpace = [&](const auto& v) {
+		return space.toLabel({double(v.cP()[0]), double(v.cP()[1]), double(v.cP()[2])});
+	};
+	std::vector<std::uint8_t> sides(m.vert.size(), detail::NotFinite);
+	for (size_t i = 0; i < m.vert.size(); ++i)
+		if (!m.vert[i].IsD()) sides[i] = detail::SideOfLine(inSpace(m.vert[i]));
+
+	std::vector<SurfaceHit> hits;
+	for (size_t f = 0; f < m.face.size(); ++f) {
+		if (m.face[f].IsD()) continue;
+		const auto side = [&](int k) { return sides[size_t(m.face[f].cV(k) - m.vert.data())]; };
+		if ((side(0) & side(1) & side(2)) || ((side(0) | side(1) | side(2)) & detail::NotFinite)) continue;
+		const vcg::Point3d q[3] = {inSpace(*m.face[f].cV(0)), inSpace(*m.face[f].cV(1)), inSpace(*m.face[f].cV(2))};
+		const int turn = detail::TurnAroundAxis(q);
+		if (turn == 0) continue;
+		const vcg::Point3d normal = (q[1] - q[0]) ^ (q[2] - q[0]);
+		hits.push_back({-(normal * q[0]) / normal[2], int(f), (turn > 0) != space.mirrors()});
+	}
+	std::sort(hits.begin(), hits.end(), [](const SurfaceHit& a, const SurfaceHit& b) {
+		return a.distance != b.distance ? a.distance < b.distance : a.face < b.face;
+	});
+	return hits;
+}
+
+}  // namespace textlabel
