@@ -59,6 +59,6 @@ if __name__ == "__main__":
     index = np.arange((ROWS + 1) * (COLUMNS + 1)).reshape(ROWS + 1, COLUMNS + 1)
     a, b, c, d = index[:-1, :-1].ravel(), index[:-1, 1:].ravel(), index[1:, 1:].ravel(), index[1:, :-1].ravel()
     shorter = np.linalg.norm(points[a] - points[c], axis=1) <= np.linalg.norm(points[b] - points[d], axis=1)
-    one = np.where(shorter[:, None], np.stack([a, c, b], 1), np.stack([a, d, b], 1))
-    two = np.where(shorter[:, None], np.stack([a, d, c], 1), np.stack([b, d, c], 1))
+    one = np.where(shorter[:, None], np.stack([a, b, c], 1), np.stack([a, b, d], 1))
+    two = np.where(shorter[:, None], np.stack([a, c, d], 1), np.stack([b, c, d], 1))
     write_stl(__file__, points.astype(np.float32), np.concatenate([one, two]), closed=False)
