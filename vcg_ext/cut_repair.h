@@ -49,6 +49,7 @@ public:
 		t.erase(std::remove_if(t.begin(), t.end(), [](const CutTriangle& c) { return c.parent < 0; }), t.end());
 		auto& p = cut_.pieces;
 		p.erase(std::remove_if(p.begin(), p.end(), [](const ContourPiece& c) { return c.from == c.to; }), p.end());
+		dropUnusedPoints();
 	}
 
 private:
@@ -117,6 +118,23 @@ private:
 		}
 		gone_.push_back(b);
 		gone_.push_back(a);
+	}
+
+	void dropUnusedPoints()
+	{
+		std::vector<int> number(cut_.points.size(), -1);
+		for (const CutTriangle& t : cut_.triangles)
+			for (const int v : t.point) number[size_t(v)] = 0;
+		size_t kept = 0;
+		for (size_t i = 0; i < number.size(); ++i) {
+			if (i >= sheet_.vertices.size() && number[i] < 0) continue;
+			cut_.points[kept] = cut_.points[i];
+			number[i] = int(kept++);
+		}
+		cut_.points.resize(kept);
+		for (CutTriangle& t : cut_.triangles)
+			for (int& v : t.point) v = number[size_t(v)];
+		for (ContourPiece& p : cut_.pieces) p = {number[size_t(p.from)], number[size_t(p.to)]};
 	}
 
 	const Sheet& sheet_;

@@ -14,7 +14,9 @@
 #include "contour.h"
 #include "predicates.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 namespace vcg::textlabel {
@@ -261,18 +263,26 @@ inline void TriangleWalk::nestLoops(const TriangleCase& c, RegionSet& out)
 
 inline void TriangleWalk::checkAreas(const TriangleCase& c, const RegionSet& out) const
 {
-	constexpr double rounding = 1e-9;  // relative; what is wrong here is wrong by whole regions
-	double whole = 0, sum = 0;
-	for (int i = 0; i < c.borderCount; ++i)
-		whole += (c.points[size_t(i)] - c.points[0]) ^ (c.points[size_t((i + 1) % c.borderCount)] - c.points[0]);
+	// What is wrong here is wrong by whole regions; points on an edge are off it by the rounding of doubles, which is a lot of
+	// the area of a triangle that is thinner than the coordinates' step.
+	constexpr double relative = 1e-9, roundings = 64;
+	double whole = 0, sum = 0, perimeter = 0, largest = 0;
+	for (int i = 0; i < c.borderCount; ++i) {
+		const vcg::Point2d &p = c.points[size_t(i)], &q = c.points[size_t((i + 1) % c.borderCount)];
+		whole += (p - c.points[0]) ^ (q - c.points[0]);
+		perimeter += (q - p).Norm();
+		largest = std::max({largest, std::abs(p[0]), std::abs(p[1])});
+	}
+	const double allowed = roundings * std::numeric_limits<double>::epsilon() * largest * perimeter;
 	for (const RegionSet::Region& r : out.regions) {
 		double area = 0;
 		for (int i = r.firstRing; i < r.firstRing + r.ringCount; ++i)
 			area += twiceArea(c, out.rings.begin(i), out.rings.end(i));
-		if (!(area > 0)) throw WalkConflict{"a region is turned round", *out.rings.begin(r.firstRing)};
+		if (!(area > -allowed)) throw WalkConflict{"a region is turned round", *out.rings.begin(r.firstRing)};
 		sum += area;
 	}
-	if (!(std::abs(sum - whole) <= rounding * whole)) throw WalkConflict{"the regions do not tile the triangle", 0};
+	if (!(std::abs(sum - whole) <= relative * whole + allowed))
+		throw WalkConflict{"the regions do not tile the triangle", 0};
 }
 
 }  // namespace vcg::textlabel
