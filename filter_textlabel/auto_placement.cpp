@@ -27,7 +27,7 @@ double RoundedDown(double size)
 double SizeIn(const PlaceQuery& query, const Part& part, const Candidate& candidate)
 {
 	if (query.size > 0) return query.size;
-	return RoundedDown(std::min(candidate.capital, detail::SizeForShare(query, part, taste.maxTextShare)));
+	return RoundedDown(std::min(candidate.capital, taste.maxCapitalShare * part.diagonal));
 }
 
 /// A close look at the text's box around a point, with the tight margin.
@@ -188,7 +188,7 @@ bool OfferPlaces(const PlaceQuery& query, const std::function<bool(const Place&)
 	if (!IsQueryUsable(query) || part.faces.empty()) return false;
 	std::vector<Place> places;
 	return OfferPlaces(query, part, quickEffort, accept, places) ||
-	       OfferPlaces(query, part, thoroughEffort, accept, places);
+	       OfferPlaces(query, part, ThoroughEffort(query, part), accept, places);
 }
 
 std::vector<Place> FindPlaces(const PlaceQuery& query)
@@ -198,7 +198,7 @@ std::vector<Place> FindPlaces(const PlaceQuery& query)
 	if (!IsQueryUsable(query) || part.faces.empty()) return places;
 	const auto wantMore = [](const Place&) { return false; };
 	OfferPlaces(query, part, quickEffort, wantMore, places);
-	if (places.empty()) OfferPlaces(query, part, thoroughEffort, wantMore, places);
+	if (places.empty()) OfferPlaces(query, part, ThoroughEffort(query, part), wantMore, places);
 	return places;
 }
 

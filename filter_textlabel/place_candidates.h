@@ -9,18 +9,19 @@ namespace textlabel {
 
 /// What a person would call a good place; lengths as shares, so that the part's unit does not matter.
 struct Taste {
-	double airShare = 1.25;      ///< a place is chosen for the text's box times this ...
-	double airMargin = 0.25;     ///< ... with so many capital heights more on each side
-	double tightMargin = 0.1;    ///< capital heights that even a tight place keeps around the text
-	double maxTextShare = 0.4;   ///< of the part's diagonal, for the diagonal of a text whose size we choose
-	double goodTextShare = 0.1;  ///< a flat place that takes less is not worth more than a curved one
-	double turnedWeight = 0.6;   ///< reading from bottom to top
-	double frontWeight = 0.97;   ///< looking along Y, the usual front; the top has 1
+	double airShare = 1.25;         ///< a place is chosen for the text's box times this ...
+	double airMargin = 0.25;        ///< ... with so many capital heights more on each side
+	double tightMargin = 0.1;       ///< capital heights that even a tight place keeps around the text
+	double maxCapitalShare = 0.15;  ///< of the part's diagonal, for a capital whose height we choose
+	double goodTextShare = 0.1;     ///< of it, for the text's diagonal: a smaller flat place does not beat a curved one
+	double turnedWeight = 0.6;      ///< reading from bottom to top
+	double frontWeight = 0.97;      ///< looking along Y, the usual front; the top has 1
 	double sideWeight = 0.95;
 	double obliqueWeight = 0.9;     ///< facing no axis
 	double downWeight = 0.8;        ///< usually the side that the part stands on ...
 	double raisedDownWeight = 0.5;  ///< ... and with a raised label it would not stand any more
-	double centeringSlack = 0.03;   ///< of the window, given up to be centred
+	double centeringSlack = 0.03;   ///< of the window, given up to be centred ...
+	double roughSlack = 0.12;       ///< ... and of a window that is seen from afar, to know where to look closely
 	size_t enoughGood = 3;          ///< good flat places that make a search for curved ones needless
 	double centralShare = 0.1;      ///< what a place one diagonal from the middle of the part is worth less
 	int windowsPerLook = 3;
@@ -34,8 +35,9 @@ struct Effort {
 	bool alwaysCurved;  ///< even if there are good flat places
 };
 constexpr Effort quickEffort{1 << 13, 0.5, false};
-constexpr Effort thoroughEffort{1 << 18, 0.05, true};
 
+constexpr double thoroughPixels = 1 << 16, mostPixels = 1 << 20;
+constexpr double pixelsForWanted = 6;  // across the shorter side of a text of wanted size, in a thorough look
 constexpr double maxPixelsPerSide = 2048;
 constexpr double minWindowPixels = 3;  // windows with a shorter side are not seen
 constexpr double flatDegrees = 1;      // a look at a flat region may be off by that
@@ -85,12 +87,6 @@ inline Shape TightShape(const PlaceQuery& query)
 	return {query.labelWidth + 2 * taste.tightMargin, query.labelHeight + 2 * taste.tightMargin};
 }
 
-/// Capital height at which the text's diagonal is a share of the part's.
-inline double SizeForShare(const PlaceQuery& query, const Part& part, double share)
-{
-	return share * part.diagonal / std::hypot(query.labelWidth, query.labelHeight);
-}
-
 inline double FacingWeight(const vcg::Point3d& towards, bool isRaised)
 {
 	const double along = std::cos(flatDegrees * degree);
@@ -103,21 +99,26 @@ inline double FacingWeight(const vcg::Point3d& towards, bool isRaised)
 
 /// A window for a text: the airiest, or, when the wanted size needs it, a tight one.
 /// @param[in] minCapital  windows that take less do not count, mesh units
-inline std::optional<FreeWindow> WindowFor(const PlaceQuery& query, const FreeArea& area, double pixel, bool turned,
-                                           double minCapital)
+/// @return its scale is that of the airy shape in it, so that tight ones compare with airy ones
+inline std::optional<FreeWindow> WindowFor(const PlaceQuery& query, const FreeArea& area, double pixel, double slack,
+                                           bool turned, double minCapital)
 {
 	const auto find = [&](Shape shape, double least) {
 		if (turned) std::swap(shape.width, shape.height);
 		least = std::max(least, minWindowPixels / std::min(shape.width, shape.height));
-		return LargestFreeWindow(area, shape.width, shape.height, taste.centeringSlack, least);
+		return LargestFreeWindow(area, shape.width, shape.height, slack, least);
 	};
 	const std::optional<FreeWindow> airy = find(AiryShape(query), std::max(query.size, minCapital) / pixel);
-	return airy || query.size <= 0 || query.size < minCapital ? airy : find(TightShape(query), query.size / pixel);
+	if (airy || query.size <= 0 || query.size < minCapital) return airy;
+	const Shape airyShape = AiryShape(query), tightShape = TightShape(query);
+	std::optional<FreeWindow> tight = find(tightShape, query.size / pixel);
+	if (tight) tight->scale *= std::min(tightShape.width / airyShape.width, tightShape.height / airyShape.height);
+	return tight;
 }
 
-inline void BlockWindow(FreeArea& area, const FreeWindow& window, Shape shape)
+inline void BlockWindow(FreeArea& area, const FreeWindow& window, double scale, Shape shape)
 {
-	const int dx = Reach(window.scale * shape.width), dy = Reach(window.scale * shape.height);
+	const int dx = Reach(scale * shape.width), dy = Reach(scale * shape.height);
 	for (int y = std::max(0, window.y - dy); y <= std::min(area.height() - 1, window.y + dy); ++y)
 		for (int x = std::max(0, window.x - dx); x <= std::min(area.width() - 1, window.x + dx); ++x) area.block(x, y);
 	area.sumUp();
@@ -165,19 +166,21 @@ inline void FindWindows(Search& search, const DepthImage& image, const Level& le
 	const double turnedWeight = weight * taste.turnedWeight, pixel = image.grid.pixel;
 	FreeArea area = FindFreeArea(search.part, image, RuleFor(level, 0));
 	for (int i = 0; i < taste.windowsPerLook; ++i) {
-		const auto upright = WindowFor(search.query, area, pixel, false, search.minCapital(weight));
+		const auto upright = WindowFor(search.query, area, pixel, taste.roughSlack, false, search.minCapital(weight));
 		if (upright) search.best = std::max(search.best, upright->scale * pixel * weight);
 		std::optional<FreeWindow> turned;
-		if (!upright || search.query.size <= 0) {
+		const bool mayTurn = search.query.up.SquaredNorm() == 0;
+		if (mayTurn && (!upright || search.query.size <= 0)) {
 			const double least =
 				upright ? upright->scale * pixel / taste.turnedWeight : search.minCapital(turnedWeight);
-			turned = WindowFor(search.query, area, pixel, true, least);
+			turned = WindowFor(search.query, area, pixel, taste.roughSlack, true, least);
 		}
 		if (!upright && !turned) return;
 		search.add(image, turned ? *turned : *upright, level, turned ? turnedWeight : weight, turned.has_value());
 		Shape shape = TightShape(search.query);
 		if (turned) std::swap(shape.width, shape.height);
-		BlockWindow(area, turned ? *turned : *upright, shape);
+		const FreeWindow& window = turned ? *turned : *upright;
+		BlockWindow(area, window, std::max(window.scale, search.query.size / pixel), shape);
 	}
 }
 
@@ -211,7 +214,17 @@ inline void SearchCurved(Search& search)
 inline bool IsGood(const PlaceQuery& query, const Part& part, const Candidate& candidate)
 {
 	if (!candidate.level.flat) return false;
-	return query.size > 0 || candidate.capital >= detail::SizeForShare(query, part, taste.goodTextShare);
+	const double diagonal = candidate.capital * std::hypot(query.labelWidth, query.labelHeight);
+	return query.size > 0 || diagonal >= taste.goodTextShare * part.diagonal;
+}
+
+/// For when the quick search was in vain: every direction, and pixels small enough to see a place of the wanted size.
+inline Effort ThoroughEffort(const PlaceQuery& query, const Part& part)
+{
+	const Shape tight = detail::TightShape(query);
+	const double across = part.diagonal / (query.size * std::min(tight.width, tight.height));
+	const double needed = std::pow(across * pixelsForWanted, 2);
+	return {query.size > 0 ? std::clamp(needed, quickEffort.pixels, mostPixels) : thoroughPixels, 0.05, true};
 }
 
 /// Windows that can hold the text, as far as one sees from afar; in no order.
@@ -239,7 +252,7 @@ inline std::optional<Candidate> Sharpened(const PlaceQuery& query, const Part& p
 	grid.bottom = candidate.up - grid.pixel * (grid.height / 2);
 	const DepthImage image = Look(part, candidate.axes, grid);
 	const FreeArea area = FindFreeArea(part, image, detail::RuleFor(candidate.level, 0));
-	const std::optional<FreeWindow> window = detail::WindowFor(query, area, grid.pixel, false, 0);
+	const std::optional<FreeWindow> window = detail::WindowFor(query, area, grid.pixel, taste.centeringSlack, false, 0);
 	if (!window) return std::nullopt;
 	Candidate sharp = candidate;
 	sharp.right = grid.left + window->x * grid.pixel;
