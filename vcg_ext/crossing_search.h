@@ -75,9 +75,10 @@ struct SearchBox {
 	}
 	bool meets(const SearchBox& b) const
 	{
-		// all six comparisons at once: which of them fails is not to be predicted
-		return (low[0] <= b.high[0]) & (b.low[0] <= high[0]) & (low[1] <= b.high[1]) & (b.low[1] <= high[1]) &
-		       (low[2] <= b.high[2]) & (b.low[2] <= high[2]);
+		// without branches: which of the six comparisons fails is not to be predicted
+		unsigned apart = 0;
+		for (size_t k = 0; k < 3; ++k) apart |= unsigned(low[k] > b.high[k]) | unsigned(b.low[k] > high[k]);
+		return apart == 0;
 	}
 };
 

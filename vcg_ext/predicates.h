@@ -55,7 +55,7 @@ inline int Sign(double x) { return (x > 0) - (x < 0); }
 /// An exact number: the sum of x[0 .. n-1], increasing in magnitude, none zero, non-overlapping; n = 0 is zero.
 template <int Capacity>
 struct Expansion {
-	std::array<double, Capacity> x;
+	std::array<double, size_t(Capacity)> x;
 	int n = 0;
 
 	/// The largest component outweighs the sum of all the others.
