@@ -40,9 +40,8 @@ std::string Attribute(const Parameter& parameter, const std::string& name, const
 
 std::string Attributes(const Parameter& p, const std::string& value)
 {
-	const bool writes = p.use == ParameterUse::JsonFile || p.use == ParameterUse::ImageFile;
-	return Attribute(p, "type", writes ? "RichSaveFile" : "RichString") + Attribute(p, "value", value) +
-	       (writes ? " ext=\"\"" : "");
+	return Attribute(p, "type", p.fileEnding() ? "RichSaveFile" : "RichString") + Attribute(p, "value", value) +
+	       (p.fileEnding() ? Attribute(p, "ext", std::string("*.") + p.fileEnding()) : std::string());
 }
 
 std::string NumberAttribute(const char* name, double value)

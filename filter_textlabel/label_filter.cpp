@@ -50,13 +50,12 @@ void RequireWritable(const char* parameter, const std::string& path)
 	file.cancelWriting();
 }
 
-void WriteReport(const LabelReport& report)
+void WriteText(const char* parameter, const std::string& path, const std::string& text)
 {
-	QSaveFile file(QString::fromStdString(report.request.report));
-	const std::string json = ReportJson(report) + "\n";
-	if (!file.open(QIODevice::WriteOnly) || file.write(json.data(), qint64(json.size())) != qint64(json.size()) ||
-	    !file.commit())
-		throw RequestError(RequestProblem::FileNotWritten, "report", report.request.report);
+	QSaveFile file(QString::fromStdString(path));
+	const qint64 size = qint64(text.size());
+	if (!file.open(QIODevice::WriteOnly) || file.write(text.data(), size) != size || !file.commit())
+		throw RequestError(RequestProblem::FileNotWritten, parameter, path);
 }
 
 void DrawPicture(const CMeshO& m, const LabelJob<CMeshO>& job, const LabelReport& report)
@@ -82,15 +81,17 @@ LabelReport Label(MeshDocument& document, const RichParameterList& list, vcg::Ca
 	MeshModel& model = *document.mm();
 	RequireWritable("report", request.report);
 	RequireWritable("picture", request.picture);
+	RequireWritable("outline", request.outline);
 	ServiceHost host;
 	host.currentView = CurrentView;
-	if (progress) host.progress = [progress](int percent) { return progress(percent, "Text Label"); };
+	if (progress) host.progress = [progress](int percent) { return progress(percent, "Text Label\n"); };
 	FaceColors colors(model, request.style == LabelStyle::Flat || request.tint);
 	LabelJob<CMeshO> job(model.cm, MatrixOf(model.cm), host, context);
 	const LabelReport report = job.run(request);
 	colors.keep();
 	DropAdjacency(model);
-	if (!request.report.empty()) WriteReport(report);
+	if (!request.report.empty()) WriteText("report", request.report, ReportJson(report) + "\n");
+	if (!request.outline.empty()) WriteText("outline", request.outline, OutlineToSvg(job.outline()));
 	if (!request.picture.empty()) DrawPicture(model.cm, job, report);
 	return report;
 }
@@ -119,8 +120,10 @@ std::string Guarded(const Work& work)
 	}
 }
 
-void Say(const std::string& message, const std::function<void(const std::string&)>& log)
+/// One line, so that who reads a log finds the whole message.
+void Say(std::string message, const std::function<void(const std::string&)>& log)
 {
+	std::replace(message.begin(), message.end(), '\n', ' ');
 	std::cerr << "Text Label: " << message << std::endl;
 	log("Text Label: " + message);
 }

@@ -59,10 +59,11 @@ struct LabelRequest {
 	double maxStretch = 8;  ///< largest surface length over label length
 	std::string report;     ///< file for the report (JSON); empty: none
 	std::string picture;    ///< file for a picture (PNG); empty: none
+	std::string outline;    ///< file for the flat label (SVG); empty: none
 };
 
 /// How a host's dialog should offer a parameter, beyond its type.
-enum class ParameterUse { Value, FontName, Place, Direction, JsonFile, ImageFile };
+enum class ParameterUse { Value, FontName, Place, Direction, JsonFile, ImageFile, VectorFile };
 
 /// A member of LabelRequest.
 using ParameterField = std::variant<std::string LabelRequest::*, double LabelRequest::*, bool LabelRequest::*,
@@ -78,6 +79,17 @@ struct Parameter {
 	ParameterField field;
 	ParameterUse use = ParameterUse::Value;
 	bool advanced = false;  ///< a dialog may fold it away
+
+	/// Ending of the file that this parameter names and the filter writes, or null.
+	const char* fileEnding() const
+	{
+		switch (use) {
+		case ParameterUse::JsonFile: return "json";
+		case ParameterUse::ImageFile: return "png";
+		case ParameterUse::VectorFile: return "svg";
+		default: return nullptr;
+		}
+	}
 };
 
 /// All parameters in the order of the dialog.

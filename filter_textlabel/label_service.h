@@ -38,6 +38,7 @@ public:
 	/// Where the label is in the mesh, after run().
 	const vcg::textlabel::LabelResult& result() const { return result_; }
 	const vcg::textlabel::LabelFrame& frame() const { return frame_; }
+	const TextOutline& outline() const { return outline_; }
 
 private:
 	PartProbe probe() const;
@@ -47,7 +48,7 @@ private:
 	void labelAtDepth(const LabelRequest& request, const TextOutline& outline, double depth);
 	void finish(const LabelRequest& request);
 	void updateNormals();
-	LabelReport report(const LabelRequest& request, const TextOutline& outline) const;
+	LabelReport report(const LabelRequest& request) const;
 
 	MeshType& m_;
 	const vcg::Matrix44d toWorld_;
@@ -56,6 +57,7 @@ private:
 	vcg::Box3d box_;
 	vcg::textlabel::LabelFrame frame_;
 	vcg::textlabel::LabelResult result_;
+	TextOutline outline_;
 	double size_ = 0, height_ = 0;
 };
 
@@ -99,7 +101,8 @@ LabelReport LabelJob<MeshType>::run(const LabelRequest& asked)
 	clock.end("label");
 	finish(request);
 	clock.end("finish");
-	LabelReport made = report(request, text.at(size_));
+	outline_ = text.at(size_);
+	LabelReport made = report(request);
 	made.before = made.after = before;
 	made.after.vertices = m_.VN();
 	made.after.triangles = m_.FN();
@@ -132,7 +135,7 @@ void LabelJob<MeshType>::label(const LabelRequest& request, const std::vector<At
 template <class MeshType>
 void LabelJob<MeshType>::tryAttempt(const LabelRequest& request, const Attempt& attempt, const TextOutline& outline)
 {
-	constexpr double ofSize = 0.1, ofWall = 0.4, ofRoom = 0.5;
+	constexpr double sizeOverDepth = 10, ofWall = 0.4, ofRoom = 0.5;
 	frame_ = attempt.frame;
 	frame_.toWorld = toWorld_;
 	size_ = attempt.size;
@@ -140,7 +143,7 @@ void LabelJob<MeshType>::tryAttempt(const LabelRequest& request, const Attempt& 
 	context_.size = size_;
 	const bool choose = request.depth == ChosenToFit && request.style != LabelStyle::Flat;
 	if (!choose) return labelAtDepth(request, outline, request.depth);
-	double depth = size_ * ofSize;
+	double depth = size_ / sizeOverDepth;
 	if (request.style == LabelStyle::Engrave && attempt.wall > 0) depth = std::min(depth, attempt.wall * ofWall);
 	try {
 		labelAtDepth(request, outline, depth);
@@ -206,15 +209,15 @@ void LabelJob<MeshType>::updateNormals()
 }
 
 template <class MeshType>
-LabelReport LabelJob<MeshType>::report(const LabelRequest& request, const TextOutline& outline) const
+LabelReport LabelJob<MeshType>::report(const LabelRequest& request) const
 {
 	LabelReport r;
 	r.request = request;
 	r.size = size_;
 	r.depth = height_;
-	r.font = outline.fonts.empty() ? std::string() : outline.fonts.front();
-	r.thinnestStroke = outline.thinnestStroke.width;
-	r.narrowestGap = outline.narrowestGap.width;
+	r.font = outline_.fonts.empty() ? std::string() : outline_.fonts.front();
+	r.thinnestStroke = outline_.thinnestStroke.width;
+	r.narrowestGap = outline_.narrowestGap.width;
 	r.touchedTriangles = result_.touchedFaces;
 	r.labelArea = result_.labelArea;
 	r.surfaceArea = result_.surfaceArea;

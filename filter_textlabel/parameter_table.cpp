@@ -126,6 +126,8 @@ const std::vector<Parameter>& ParameterTable()
 	     Use::JsonFile, advanced},
 		{"picture", "Picture file", "Write a picture (PNG) of the labelled part to this file. Empty: none.",
 	     &R::picture, Use::ImageFile, advanced},
+		{"outline", "Outline file", "Write the flat label (SVG) to this file. Empty: none.", &R::outline,
+	     Use::VectorFile, advanced},
 	};
 	return table;
 }

@@ -9,8 +9,6 @@ namespace textlabel {
 namespace {
 
 #if MESHLAB_API == 2020
-// The file widget of this generation takes no typed text, so a font's family could not be given in it.
-using RichFont = RichString;
 using RichPlace = RichPoint3f;
 using RichDirectionTo = RichPoint3f;
 using RichFileToWrite = RichSaveFile;
@@ -44,14 +42,11 @@ OwnedParameter Make(const Parameter& p, Arguments&&... arguments)
 OwnedParameter ParameterOf(const Parameter& p, const std::string& value)
 {
 	const QString text = QString::fromStdString(value);
-	switch (p.use) {
-	case ParameterUse::JsonFile: return Make<RichFileToWrite>(p, text, QStringLiteral("*.json"));
-	case ParameterUse::ImageFile: return Make<RichFileToWrite>(p, text, QStringLiteral("*.png"));
-#if MESHLAB_API != 2020
-	case ParameterUse::FontName: return Make<RichFont>(p, text, QStringList{"*.ttf", "*.otf", "*.ttc", "*.*"});
+	if (p.fileEnding()) return Make<RichFileToWrite>(p, text, QStringLiteral("*.") + p.fileEnding());
+#if MESHLAB_API != 2020  // there the file widget takes no typed text, so a family could not be given in it
+	if (p.use == ParameterUse::FontName) return Make<RichFont>(p, text, QStringList{"*.ttf", "*.otf", "*.ttc", "*.*"});
 #endif
-	default: return Make<RichString>(p, text);
-	}
+	return Make<RichString>(p, text);
 }
 
 OwnedParameter ParameterOf(const Parameter& p, double value) { return Make<RichFloat>(p, Scalarm(value)); }
@@ -107,9 +102,8 @@ bool IsChoice(const Value& value) { return value.isInt(); }
 
 void ReadMember(const RichParameterList& list, const Parameter& p, const Value& held, std::string& value)
 {
-	const bool isFile = p.use == ParameterUse::JsonFile || p.use == ParameterUse::ImageFile;
-	Require(isFile ? IsFile(held) : held.isString(), p);
-	value = (isFile ? list.getSaveFileName(p.name) : held.getString()).toStdString();
+	Require(p.fileEnding() ? IsFile(held) : held.isString(), p);
+	value = (p.fileEnding() ? list.getSaveFileName(p.name) : held.getString()).toStdString();
 }
 
 void ReadMember(const RichParameterList& list, const Parameter& p, const Value& held, double& value)

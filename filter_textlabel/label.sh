@@ -1,0 +1,189 @@
+#!/usr/bin/env bash
+# Cut a text into a mesh file, by MeshLab 2020.09's meshlabserver and the Text Label filter. Needs no window and no root.
+
+set -euo pipefail
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+# shellcheck source=filter_textlabel/meshlab_tree.sh
+. "$here/meshlab_tree.sh"
+
+usage() {
+	cat <<'END'
+usage: label.sh [options] [--] INPUT OUTPUT TEXT
+
+INPUT, OUTPUT   mesh files: STL, PLY, OBJ, OFF and what else MeshLab reads and writes
+TEXT            the text; \n breaks a line
+
+Where, by default the largest flat region that holds the text:
+  --at X,Y,Z            at this point of the surface, seen in parallel from the direction
+  --direction X,Y,Z     from the surface towards the viewer (default 0,0,1)
+  --up X,Y,Z            where the top of the letters points (default: chosen)
+  --camera FILE         in the centre of this view: what MeshLab's "Copy camera settings to clipboard" gives
+  --offset U,V          shift to the right and upwards, mesh units
+  --rotate DEG          turn counter-clockwise
+How:
+  --style emboss|engrave|flat
+  --size H              height of a capital letter, mesh units (default: chosen to fit)
+  --depth D             mesh units (default: chosen from the size)
+  --along viewpoint|label|surface
+  --font F              family ("DejaVu Sans:Bold") or font file
+  --tolerance T         chord error of curves, mesh units
+  --color RRGGBB        of the letters' faces
+  --set NAME=VALUE      any other parameter of the filter
+What else to write:
+  --report FILE.json    the report of the run
+  --picture FILE.png    a picture of the result
+  --outline FILE.svg    the flat label
+
+exit: 0 labelled; 1 refused, with the reason on stderr and no OUTPUT; 2 wrong usage
+END
+}
+
+wrong() {
+	echo "label.sh: $1 (label.sh --help shows the usage)" >&2
+	exit 2
+}
+
+refuse() {
+	echo "label.sh: $1" >&2
+	exit 1
+}
+
+# ---- the command line
+
+parameters=()
+files=()
+placement=
+colors=
+camera=
+set_point() { placement=point; parameters+=("$1=$2"); }
+
+# A path that stays right when MeshLab changes its folder.
+absolute() { realpath -ms -- "$1"; }
+
+while [ $# -gt 0 ]; do
+	option=$1
+	shift
+	case $option in
+	--help | -h) usage; exit 0 ;;
+	--) files+=("$@"); break ;;
+	--at | --direction | --up | --camera | --offset | --rotate | --style | --size | --depth | --along | --font | --tolerance | \
+		--color | --set | --report | --picture | --outline)
+		[ $# -gt 0 ] || wrong "$option needs a value"
+		value=$1
+		shift
+		;;
+	-?*) wrong "there is no option $option; write -- before a text that begins with a dash" ;;
+	*) files+=("$option") ;;
+	esac
+	case $option in
+	--at) set_point position "$value" ;;
+	--direction) set_point direction "$value" ;;
+	--up) parameters+=("up=$value") ;;
+	--camera) camera=$value ;;
+	--offset)
+		[[ $value == *,* ]] || wrong "--offset needs two numbers, as in --offset 1.5,0"
+		parameters+=("offset_u=${value%%,*}" "offset_v=${value#*,}")
+		;;
+	--rotate) parameters+=("rotation=$value") ;;
+	--along) parameters+=("extrude_along=$value") ;;
+	--font)
+		if [ -e "$value" ]; then value=$(absolute "$value"); fi
+		parameters+=("font=$value")
+		;;
+	--color) colors=fc; parameters+=("color=$value" "tint=true") ;;
+	--style)
+		parameters+=("style=$value")
+		if [[ ${value,,} == f* ]]; then colors=fc; fi
+		;;
+	--size | --depth | --tolerance) parameters+=("${option#--}=$value") ;;
+	--set) parameters+=("$value") ;;
+	--report | --picture | --outline) parameters+=("${option#--}=$(absolute "$value")") ;;
+	esac
+done
+[ ${#files[@]} -eq 3 ] || wrong "INPUT, OUTPUT and TEXT are needed; ${#files[@]} of the three are there"
+input=${files[0]} output=${files[1]}
+if [ -n "$camera" ]; then
+	[ -z "$placement" ] || wrong "--camera and --at say two different places"
+	[ -f "$camera" ] && [ -r "$camera" ] || refuse "The camera file '$camera' cannot be read. Give the text that MeshLab copied, as a file."
+	placement=camera
+	parameters+=("camera=$(tr -d '\0' <"$camera")")
+fi
+parameters=("placement=${placement:-automatic}" "${parameters[@]}" "text=${files[2]}")
+
+# ---- what can be refused before MeshLab starts
+
+[ -f "$input" ] && [ -r "$input" ] || refuse "The mesh '$input' cannot be read. Check its name."
+[ -n "$output" ] && [ ! -d "$output" ] || refuse "The output '$output' is a folder. Give a file name."
+folder=$(dirname -- "$output")
+[ -d "$folder" ] || refuse "The folder of '$output' does not exist. Make it first, or choose another one."
+[ -w "$folder" ] || refuse "The folder of '$output' cannot be written to. Choose another one."
+ending=${output##*.}
+[[ $ending =~ ^[A-Za-z0-9]+$ && $(basename -- "$output") == *.* ]] || refuse "The output '$output' has no ending that says its format. Name it .stl, .ply, .obj or .off."
+
+work=$(mktemp -d)
+display_pid=
+fresh=
+clean_up() {
+	if [ -n "$display_pid" ]; then kill "$display_pid" 2>/dev/null || true; fi
+	rm -rf "$work" ${fresh:+"$fresh" "$fresh.mtl"}
+}
+trap clean_up EXIT
+
+plugin=$("$here/build.sh") || refuse "The plugin could not be built (see above)."
+"${TEXTLABEL_SCRIPT:-$(dirname "$plugin")/textlabel_script}" "${parameters[@]}" >"$work/label.mlx" || wrong "a value cannot be used"
+
+# ---- run MeshLab
+
+# What the input carries beside its shape, so that the output keeps it: meshlabserver saves only what it is told to.
+attributes() {
+	local head
+	case ${input,,} in
+	*.ply)
+		head=$(head -c 65536 -- "$input" | LC_ALL=C sed -n '/^end_header/q; p' | tr -d '\0')
+		awk '$1 == "element" { in_element = substr($2, 1, 1) }
+			$1 == "property" {
+				name = $NF
+				if (name == "red") print in_element "c"
+				if (name == "quality") print in_element "q"
+				if (name == "radius") print in_element "r"
+				if (name == "texture_u" || name == "s") print in_element "t"
+				if (name == "texcoord") print "wt"
+			}' <<<"$head" | grep -xE 'vc|vq|vr|vt|wt|fc|fq' || true
+		;;
+	*.obj)
+		LC_ALL=C grep -qam1 '^vt ' -- "$input" && echo wt
+		LC_ALL=C grep -qam1 '^usemtl ' -- "$input" && echo fc
+		LC_ALL=C grep -am1 '^v ' -- "$input" | awk 'NF >= 7 { print "vc" }'
+		;;
+	*.off) head -c 4 -- "$input" | LC_ALL=C grep -qa '^COFF' && echo vc ;;
+	esac
+}
+mapfile -t carried < <({ attributes || true; echo "$colors"; } | sort -u | sed '/^$/d')
+
+make_meshlab_tree "$work/tree" meshlabserver "$plugin" 'libio_*.so'
+start_display "$work" 64x64x24 || refuse "MeshLab needs a virtual display. Install Xvfb (Debian: xvfb)."
+status=0
+# The plain name of the output is for MeshLab; the true one may hold anything.
+LC_ALL=C.UTF-8 XDG_RUNTIME_DIR="$work" "$work/tree/bin/meshlabserver" -i "$(absolute "$input")" -s "$work/label.mlx" \
+	-o "$work/labelled.$ending" ${carried[@]:+-m "${carried[@]}"} >"$work/log" 2>"$work/errors" || status=$?
+reason=$(sed -n 's/^.*Text Label: \([^{]\)/\1/p' "$work/errors" | head -n 1)
+[ -z "$reason" ] || refuse "$reason"
+if [ ! -s "$work/labelled.$ending" ] || [ $status -ne 0 ]; then
+	cat "$work/log" "$work/errors" >&2
+	if grep -q "not possible to import mesh" "$work/log"; then refuse "MeshLab cannot read the mesh '$input'. Check that it is what its ending says."; fi
+	if [ $status -eq 0 ]; then refuse "MeshLab cannot write the format '$ending'. Use .stl, .ply, .obj or .off."; fi
+	refuse "MeshLab ended unexpectedly (status $status, see above)."
+fi
+
+# ---- the output appears as a whole or not at all
+
+fresh=$(mktemp -- "$folder/.textlabel-XXXXXX") || refuse "The folder of '$output' cannot be written to. Choose another one."
+chmod --reference="$work/label.mlx" -- "$fresh"
+materials=$work/labelled.$ending.mtl
+if [ -f "$materials" ]; then
+	name=$(basename -- "$output").mtl
+	NAME=$name awk '/^mtllib / { $0 = "mtllib ./" ENVIRON["NAME"] } { print }' "$work/labelled.$ending" >"$work/renamed"
+	mv -- "$work/renamed" "$work/labelled.$ending"
+	cp -- "$materials" "$fresh.mtl" && mv -f -- "$fresh.mtl" "$output.mtl" || refuse "'$output.mtl' could not be written. Is the disk full?"
+fi
+cp -- "$work/labelled.$ending" "$fresh" && mv -f -- "$fresh" "$output" || refuse "'$output' could not be written. Is the disk full?"
