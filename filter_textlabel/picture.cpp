@@ -77,28 +77,41 @@ int VisibleLabel(const PictureMesh& mesh, const PictureView& view)
 		std::count_if(seen.face.begin(), seen.face.end(), [&](int f) { return f >= 0 && mesh.isLabel[size_t(f)]; }));
 }
 
-/// People look down at things: a label on top is read from its lower side, one on a wall from somewhat above.
-Point3d TiltDirection(const Point3d& direction, const Point3d& up, double degrees)
+/// How a label is best looked at. People look down at things that stand on a table: towards a label on top the view comes from its
+/// lower side, and what is upright in the picture is the table's upwards; towards one on a wall it comes from somewhat above.
+/// @param[in] tilt  degrees away from the label's direction: on top, on a wall
+/// @param[in] turn  degrees to the right
+PictureView LabelView(const Point3d& direction, const Point3d& up, std::array<double, 2> tilt, double turn)
 {
-	const Point3d d = Point3d(direction).Normalize(), right = (up ^ d).Normalize();
-	const bool onTop = std::abs(d[2]) > 0.7;
-	const Point3d above = TurnAround(d, right, -degrees), below = TurnAround(d, right, degrees);
-	return onTop || below[2] > above[2] ? below : above;
+	const Point3d d = Point3d(direction).Normalize(), right = (up ^ d).Normalize(), v = d ^ right;
+	const bool onTop = d[2] > 0.7;
+	PictureView view;
+	view.up = onTop ? d : v;
+	const Point3d above = TurnAround(d, right, -tilt[1]), below = TurnAround(d, right, tilt[1]);
+	const Point3d tilted = onTop ? TurnAround(d, right, tilt[0]) : below[2] > above[2] ? below : above;
+	view.direction = TurnAround(tilted, view.up, turn);
+	return view;
 }
 
-/// The three-quarter view, from the left or the right, that shows more of the label.
-PictureView ThreeQuarterView(const PictureMesh& mesh, const Point3d& direction, const Point3d& up,
-                             const PictureOptions& options)
+PictureView PartView(const PictureMesh& mesh, const Point3d& direction, const Point3d& up, double side,
+                     const PictureOptions& options)
 {
-	const Point3d tilted = TiltDirection(direction, up, 28);
-	PictureView best;
-	int most = -1;
-	for (const double turn : {28.0, -28.0, 0.0}) {
-		const PictureView view = FitView(mesh, TurnAround(tilted, up, turn), up, options);
-		const int visible = mesh.isLabel.empty() ? 0 : VisibleLabel(mesh, view);
+	const PictureView view = LabelView(direction, up, {46, 24}, 28 * side);
+	return FitView(mesh, view.direction, view.up, options);
+}
+
+/// The three-quarter view from the right (1) or the left (-1), whichever shows more of the label; from before (0) when that shows
+/// far more.
+double BestSide(const PictureMesh& mesh, const Point3d& direction, const Point3d& up, const PictureOptions& options)
+{
+	if (mesh.isLabel.empty()) return 1;
+	double best = 1, most = -1;
+	for (const double side : {1.0, -1.0, 0.0}) {
+		const PictureView view = PartView(mesh, direction, up, side, options);
+		const double visible = VisibleLabel(mesh, view) * (side == 0 ? 0.6 : 1);
 		if (visible <= most) continue;
 		most = visible;
-		best = view;
+		best = side;
 	}
 	return best;
 }
@@ -159,7 +172,8 @@ Picture RenderLabelPicture(const PictureMesh& mesh, const Point3d& direction, co
 	const PictureSurface surface = detail::AnalyseSurface(mesh, options.creaseAngle);
 	PictureOptions whole = options;
 	if (hasLabel) whole.width = options.width * 5 / 8;
-	const PictureView partView = ThreeQuarterView(mesh, direction, up, whole);
+	const double side = BestSide(mesh, direction, up, whole);
+	const PictureView partView = PartView(mesh, direction, up, side, whole);
 	PanelPainter(mesh, surface, partView, whole, {0, 0, whole.width, whole.height}).paint(picture);
 	if (!hasLabel) return picture;
 	const int gap = 4, left = whole.width + gap;
@@ -167,7 +181,8 @@ Picture RenderLabelPicture(const PictureMesh& mesh, const Point3d& direction, co
 	closeUp.width = options.width - left;
 	closeUp.height = (options.height - gap) / 2;
 	closeUp.margin = 0.14;
-	PictureView near = FitView(mesh, TurnAround(TiltDirection(direction, up, 22), up, -12), up, closeUp, true);
+	const PictureView raw = LabelView(direction, up, {30, 22}, 14 * side);
+	PictureView near = FitView(mesh, raw.direction, raw.up, closeUp, true);
 	near.distance = partView.distance;
 	PanelPainter(mesh, surface, near, closeUp, {left, 0, closeUp.width, closeUp.height}).paint(picture);
 	closeUp.edges = PictureEdges::All;
