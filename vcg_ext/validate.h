@@ -145,15 +145,15 @@ inline std::uint64_t HashOf(const vcg::Point3d& p)
 /// Makes vertices of equal coordinates one; a table with open addressing, at most half full.
 inline void MergeEqualPoints(IndexedMesh& mesh)
 {
-	size_t slots = 16;
-	while (slots < 2 * mesh.positions.size()) slots *= 2;
-	std::vector<int> table(slots, -1), merged(mesh.positions.size());
+	size_t tableSize = 16;
+	while (tableSize < 2 * mesh.positions.size()) tableSize *= 2;
+	std::vector<int> table(tableSize, -1), merged(mesh.positions.size());
 	size_t kept = 0;
 	for (size_t i = 0; i < mesh.positions.size(); ++i) {
 		const vcg::Point3d p = mesh.positions[i];
-		size_t slot = HashOf(p) & (slots - 1);
+		size_t slot = HashOf(p) & (tableSize - 1);
 		while (table[slot] >= 0 && mesh.positions[static_cast<size_t>(table[slot])] != p)
-			slot = (slot + 1) & (slots - 1);
+			slot = (slot + 1) & (tableSize - 1);
 		if (table[slot] < 0) {
 			table[slot] = static_cast<int>(kept);
 			mesh.positions[kept++] = p;
