@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include "outline_flatten.h"
 #include "outline_tree.h"
 
 namespace textlabel {
@@ -14,8 +15,13 @@ struct Edge {
 	Point2d a, b;
 	Point2d outward;  ///< unit normal: the inside is to the left of a contour
 	int letter;
-	std::size_t next;  ///< index of the edge after it
+	std::size_t first, count;  ///< range of the contour's edges
 };
+
+/// A pocket with less area than this share of width times depth is a taper: a triangle has one half.
+constexpr double kTaper = 0.6;
+/// A taper has no more corners than this.
+constexpr std::size_t kMostTaperCorners = 64;
 
 std::vector<Edge> EdgesOf(const Outline& outline)
 {
@@ -24,7 +30,7 @@ std::vector<Edge> EdgesOf(const Outline& outline)
 		const std::size_t first = edges.size(), n = contour.points.size();
 		for (std::size_t i = 0; i < n; ++i) {
 			const Point2d a = contour.points[i], b = contour.points[(i + 1) % n], d = b - a;
-			edges.push_back({a, b, Point2d(d[1], -d[0]) / d.Norm(), contour.letter, first + (i + 1) % n});
+			edges.push_back({a, b, Point2d(d[1], -d[0]) / d.Norm(), contour.letter, first, n});
 		}
 	}
 	return edges;
@@ -36,18 +42,39 @@ Point2d NearestOn(const Edge& e, const Point2d& q)
 	return e.a + d * std::clamp(((q - e.a) * d) / d.SquaredNorm(), 0.0, 1.0);
 }
 
-/// Is `direction` (unit) a normal of the boundary at the corner between two edges, within kFacing? A corner that sticks out
-/// to that side has all the normals from the one edge's to the other's.
+/// Is `direction` (unit) a normal of the boundary at the corner between two edges, within `slack` radians? A corner that
+/// sticks out to that side has all the normals from the one edge's to the other's.
 /// @param[in] side  +1: outward normals, -1: inward ones
-bool IsNormalAt(const Edge& before, const Edge& after, const Point2d& direction, int side)
+bool IsNormalAt(const Edge& before, const Edge& after, const Point2d& direction, int side, double slack)
 {
-	const double least = std::cos(kFacing);
+	const double least = std::cos(slack);
 	const Point2d n0 = before.outward * side, n1 = after.outward * side;
 	if (n0 * direction >= least || n1 * direction >= least) return true;
 	// the contour turns left at a corner that sticks out of the inside, and then the normals turn left too
 	const bool sticksOut = (before.outward ^ after.outward) * side > 0;
 	const double turn0 = (n0 ^ direction) * side, turn1 = (direction ^ n1) * side;
 	return sticksOut && turn0 > 0 && turn1 > 0 && (n0 + n1) * direction > 0;
+}
+
+/// A walk along a contour by edges.
+struct Walk {
+	const std::vector<Edge>& edges;
+
+	std::size_t next(std::size_t i) const { return edges[i].first + (i - edges[i].first + 1) % edges[i].count; }
+	std::size_t ahead(std::size_t from, std::size_t to) const
+	{
+		return (to + edges[from].count - from) % edges[from].count;
+	}
+};
+
+/// Is the polygon from a mouth, its first and last point, a taper?
+bool IsTaper(const Ring& pocket)
+{
+	const Point2d mouth = pocket.back() - pocket.front();
+	const double width = mouth.Norm();
+	double depth = 0;
+	for (const Point2d& p : pocket) depth = std::max(depth, std::abs(mouth ^ (p - pocket.front())) / width);
+	return std::abs(vcg::textlabel::TwiceSignedArea(pocket)) / 2 < kTaper * width * depth;
 }
 
 class Widths {
@@ -58,9 +85,9 @@ public:
 
 	std::vector<LetterWidths> measured()
 	{
-		for (const Edge& before : m_edges) {
-			searchFrom(before, +1, &LetterWidths::stroke);
-			searchFrom(before, -1, &LetterWidths::gap);
+		for (std::size_t i = 0; i < m_edges.size(); ++i) {
+			searchFrom(i, +1, &LetterWidths::stroke);
+			searchFrom(i, -1, &LetterWidths::gap);
 		}
 		return m_widths;
 	}
@@ -79,10 +106,30 @@ private:
 
 	double& widthOf(int letter, Width width) { return m_widths[static_cast<std::size_t>(letter)].*width; }
 
-	/// Look from the corner at the end of an edge for what faces it. side +1: across the inside, -1: across the outside.
-	void searchFrom(const Edge& before, int side, Width width)
+	/// Does the boundary between a corner and a place on an edge, one way or the other, run into a point?
+	bool isInTaper(std::size_t before, std::size_t edge, const Point2d& place) const
 	{
-		const Edge& after = m_edges[before.next];
+		if (m_edges[before].first != m_edges[edge].first) return false;
+		const Walk walk{m_edges};
+		const std::size_t after = walk.next(before);
+		return endsInTaper(m_edges[after].a, after, edge, place) || endsInTaper(place, edge, before, m_edges[after].a);
+	}
+
+	/// The boundary from a place on the edge `from` forward to a place on the edge `to`.
+	bool endsInTaper(const Point2d& start, std::size_t from, std::size_t to, const Point2d& end) const
+	{
+		const Walk walk{m_edges};
+		if (walk.ahead(from, to) > kMostTaperCorners) return false;
+		Ring pocket{start};
+		for (std::size_t i = from; i != to; i = walk.next(i)) pocket.push_back(m_edges[i].b);
+		pocket.push_back(end);
+		return IsTaper(pocket);
+	}
+
+	/// Look from the corner at the end of an edge for what faces it. side +1: across the inside, -1: across the outside.
+	void searchFrom(std::size_t corner, int side, Width width)
+	{
+		const Edge &before = m_edges[corner], &after = m_edges[Walk{m_edges}.next(corner)];
 		const Point2d v = before.b;
 		double& mine = widthOf(before.letter, width);
 		double radius = mine > 0 ? mine : m_reach;
@@ -95,12 +142,14 @@ private:
 		m_tree.search(box, [&](std::size_t index) {
 			const Edge& e = m_edges[index];
 			if (&e == &before || &e == &after) return;
-			const Point2d across = NearestOn(e, v) - v;
+			const Point2d nearest = NearestOn(e, v), across = nearest - v;
 			const double distance = across.Norm();
 			if (distance >= radius || distance == 0) return;
 			const Point2d direction = across / distance;
-			if ((e.outward * direction) * side < std::cos(kFacing)) return;
-			if (!IsNormalAt(before, after, direction * -1, side)) return;
+			// what the one side is off the way across, the other may not be off as well
+			const double slack = kFacing - std::acos(std::clamp((e.outward * direction) * side, -1.0, 1.0));
+			if (slack < 0 || !IsNormalAt(before, after, direction * -1, side, slack)) return;
+			if (isInTaper(corner, index, nearest)) return;
 			mine = distance;
 			double& other = widthOf(e.letter, width);
 			if (other == 0 || distance < other) other = distance;

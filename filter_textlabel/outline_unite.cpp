@@ -6,6 +6,7 @@
 #include <unordered_map>
 #include "outline_bead.h"
 #include "outline_grid.h"
+#include "outline_union.h"
 #include "text_error.h"
 
 namespace textlabel {
@@ -15,6 +16,8 @@ namespace {
 constexpr double kLeastFinest = 8;
 /// Points that make less of a corner than this share of the finest detail are left out: the traces of rounding.
 constexpr double kTrace = 1.0 / 8;
+/// How far points may be moved where Clipper is in trouble, times the finest detail.
+constexpr double kTrifle = 1.0 / 16;
 /// Rounds of bridging; a bridge may come close to something in its turn.
 constexpr int kRounds = 12;
 /// A letter that crosses itself more often than this is rubbish, which would take forever to unite.
@@ -48,16 +51,6 @@ Grid GridFor(const std::vector<LetterRings>& letters, const UniteOptions& option
 	if (!(options.tolerance >= least))
 		throw TextError(TextErrorCode::BadTolerance, "the text is too large for it").measured(options.tolerance, least);
 	return grid;
-}
-
-Paths Union(const Paths& rings, ClipperLib::PolyFillType rule)
-{
-	ClipperLib::Clipper clipper;
-	clipper.StrictlySimple(true);
-	clipper.AddPaths(rings, ClipperLib::ptSubject, true);
-	Paths result;
-	if (!clipper.Execute(ClipperLib::ctUnion, result, rule, rule)) throw TextError(TextErrorCode::Unsound, "Clipper");
-	return result;
 }
 
 /// Without specks, and without the points that rounding left behind.
@@ -95,7 +88,7 @@ void DropCollinear(Path& ring)
 Paths Bridged(Paths rings, double finest)
 {
 	for (int round = 0;; ++round) {
-		rings = Cleaned(Union(rings, ClipperLib::pftNonZero), finest);
+		rings = Cleaned(CheckedUnion(rings, kTrifle * finest), finest);
 		for (Path& ring : rings) DropCollinear(ring);
 		const Paths beads = round < kRounds ? BeadsOf(rings, finest) : Paths{};
 		if (beads.empty()) break;
@@ -116,7 +109,7 @@ Paths LetterShape(const LetterRings& letter, const UniteOptions& options, const 
 	}
 	if (CountCrossings(rings, kMostCrossings) >= kMostCrossings)
 		throw TextError(TextErrorCode::Unsound, "a letter crosses itself too often");
-	rings = Union(rings, ClipperLib::pftNonZero);
+	rings = CheckedUnion(rings, kTrifle * kFinest * options.tolerance / grid.step);
 	if (options.embolden == 0) return rings;
 	ClipperLib::ClipperOffset offset(kMiterLimit);
 	offset.AddPaths(rings, ClipperLib::jtMiter, ClipperLib::etClosedPolygon);
