@@ -199,11 +199,15 @@ TEST(AutoPlacement, ALongTextOnAColumnReadsUpwards)
 {
 	Text text;
 	text.width = 9;
-	const BlockPart column = Box(10, 10, 100);
+	BlockPart column = Box(10, 10, 100);
+	column.solid = [](int x, int y, int z) {  // with a groove all round
+		return z < 20 || z >= 24 || (x >= 2 && x < 8 && y >= 2 && y < 8);
+	};
 	const std::vector<Place> places = Find(SurfaceOf(column), text);
 	ASSERT_FALSE(places.empty());
 	ExpectAllOnSurface(column, places, text);
 	ExpectNear(Right(places[0]), Point3d(0, 0, 1), 1e-12);
+	EXPECT_NEAR(places[0].position[2], 62, 2);
 }
 
 TEST(AutoPlacement, TakesTheUpThatIsWanted)
