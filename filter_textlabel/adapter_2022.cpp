@@ -8,7 +8,7 @@ Point3m Point(const vcg::Point3d& p) { return {Scalarm(p[0]), Scalarm(p[1]), Sca
 
 std::map<std::string, QVariant> Outputs(const textlabel::LabelReport& r)
 {
-	return {
+	std::map<std::string, QVariant> outputs{
 		{"triangles_added", r.after.triangles - r.before.triangles},
 		{"label_area", r.labelArea},
 		{"volume_before", r.before.volume},
@@ -18,12 +18,15 @@ std::map<std::string, QVariant> Outputs(const textlabel::LabelReport& r)
 		{"size", r.size},
 		{"depth", r.depth},
 		{"stretch", r.stretch},
-		{"border_edges", r.after.borderEdges},
-		{"non_manifold_edges", r.after.nonManifoldEdges},
-		{"components", r.after.components},
-		{"genus", r.after.genus},
 		{"milliseconds", r.milliseconds.back().second},
 	};
+	if (r.after.hasTopology) {
+		outputs["border_edges"] = r.after.borderEdges;
+		outputs["non_manifold_edges"] = r.after.nonManifoldEdges;
+		outputs["components"] = r.after.components;
+		if (r.after.genus) outputs["genus"] = *r.after.genus;
+	}
+	return outputs;
 }
 
 }  // namespace

@@ -11,6 +11,7 @@ std::string Json(double value)
 }
 
 std::string Json(int value) { return std::to_string(value); }
+std::string Json(std::optional<int> value) { return value ? Json(*value) : "null"; }
 std::string Json(bool value) { return value ? "true" : "false"; }
 std::string Json(const vcg::Point3d& p) { return "[" + Json(p[0]) + "," + Json(p[1]) + "," + Json(p[2]) + "]"; }
 
@@ -55,8 +56,9 @@ std::string View(const UsedView& view)
 	return object.str();
 }
 
+template <class Member>
 void AddBeforeAfter(Object& object, const std::string& name, const MeshNumbers& before, const MeshNumbers& after,
-                    int MeshNumbers::*member)
+                    Member member)
 {
 	const auto number = [&](const MeshNumbers& mesh) {
 		return mesh.hasTopology ? Json(mesh.*member) : std::string("null");

@@ -14,7 +14,8 @@ struct MeshNumbers {
 	int vertices = 0, triangles = 0;
 	double volume = 0;         ///< enclosed, mesh units cubed; of a closed mesh, else of the cone to its box's centre
 	bool hasTopology = false;  ///< the numbers below were counted
-	int borderEdges = 0, nonManifoldEdges = 0, components = 0, genus = 0;
+	int borderEdges = 0, nonManifoldEdges = 0, components = 0;
+	std::optional<int> genus;  ///< handles; of an oriented manifold only
 };
 
 /// How the label was seen; world coordinates.

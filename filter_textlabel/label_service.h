@@ -92,7 +92,11 @@ LabelReport LabelJob<MeshType>::run(const LabelRequest& asked)
 	box_ = WorldBox(m_, toWorld_);
 	if (m_.FN() == 0 || box_.IsNull()) throw RequestError(RequestProblem::EmptyPart);
 	CheckRequest(request, box_);
-	const MeshNumbers before = NumbersOf(m_);
+	constexpr int countedUpTo =
+		50000;  // triangles; of larger parts only when the report is asked for: counting takes longer than labelling
+	const bool counts = m_.FN() <= countedUpTo || !request.report.empty();
+	MeshNumbers before = NumbersOf(m_);
+	if (counts) CountTopology(m_, before);
 	clock.end("measure");
 	TextSetter text(request);
 	const std::vector<Attempt> attempts = PlanAttempts(request, viewFor(request), probe(), text);
@@ -107,6 +111,8 @@ LabelReport LabelJob<MeshType>::run(const LabelRequest& asked)
 	made.after.vertices = m_.VN();
 	made.after.triangles = m_.FN();
 	made.after.volume += result_.addedVolume;
+	if (counts) CountTopology(m_, made.after);
+	clock.end("measure_again");
 	made.milliseconds = clock.stages();
 	return made;
 }

@@ -3,6 +3,7 @@
 
 #include "label_report.h"
 #include "placement.h"
+#include "vcg_ext/validate.h"
 
 #include <vcg/complex/complex.h>
 
@@ -46,6 +47,18 @@ MeshNumbers NumbersOf(const MeshType& m)
 		if (std::isfinite(six)) numbers.volume += six / 6;
 	}
 	return numbers;
+}
+
+/// Borders, components and handles too; this takes many times as long as all the rest of a label.
+template <class MeshType>
+void CountTopology(const MeshType& m, MeshNumbers& numbers)
+{
+	const vcg::textlabel::MeshReport counted = vcg::textlabel::MakeReport(m);
+	numbers.hasTopology = true;
+	numbers.borderEdges = counted.borderEdges;
+	numbers.nonManifoldEdges = counted.nonManifoldEdges;
+	numbers.components = counted.components;
+	numbers.genus = counted.genus;
 }
 
 /// The part as arrays, in world coordinates; a mirroring matrix is undone, so that triangles stay counter-clockwise from outside.
