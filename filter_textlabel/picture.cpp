@@ -7,6 +7,7 @@
 #include <QString>
 
 #include <stdexcept>
+#include <vcg/space/box3.h>
 
 namespace textlabel {
 namespace {

@@ -9,7 +9,6 @@
 #include <cstdint>
 #include <string>
 #include <vector>
-#include <vcg/space/box3.h>
 #include <vcg/space/point3.h>
 
 namespace textlabel {

@@ -1,9 +1,9 @@
-"""earmould.stl: the shell of a hearing aid for one ear, after the paper's figure 10 (10,503 triangles; protruding on curvature).
+"""earmould.stl: the shell of a hearing aid for one ear, after the paper's figure 10 (protruding on curvature).
 
-An organic closed surface: bowl, helix lock and bent canal, melted into each other, with a vent drilled through (genus 1).
-28 x 28 x 28 mm. It is the zero level of a function, meshed by Manifold, relaxed on the surface and
-thinned by MeshLab. The label goes on the outer face, which is curved everywhere.
-Regenerate: python3 meshes/earmould.py
+An organic closed surface: bowl, helix lock and bent canal, melted into each other, with a vent drilled through (genus
+1). 28 x 28 x 28 mm, 10,502 triangles (the paper's part: 10,503). It is the zero level of a function, meshed by
+Manifold, relaxed on the surface and thinned by MeshLab. The label goes on the outer face, which is curved everywhere.
+Regenerate: python3 meshes/earmould.py (takes a minute or two)
 """
 
 import numpy as np
@@ -40,11 +40,15 @@ def shape(p):
     bowl = ellipsoid(p, (0, 0, 0), (13.5, 10.5, 6.5))
     lock = capsule(p, (7, 5, -0.5), (10.5, 14, -2.5), 4.2, 2.3)
     heel = capsule(p, (-6, -5, -1), (-10, -6, -1.5), 5.5, 4.5)
-    canal = smooth_min(capsule(p, (-5, -2, -2), (-5.5, -1, -11), 6.5, 5), capsule(p, (-5.5, -1, -11), (-3, 2.5, -20), 5, 4.4), 1)
+    canal = smooth_min(
+        capsule(p, (-5, -2, -2), (-5.5, -1, -11), 6.5, 5), capsule(p, (-5.5, -1, -11), (-3, 2.5, -20), 5, 4.4), 1
+    )
     body = smooth_min(smooth_min(bowl, lock, 4), smooth_min(heel, canal, 4), 5)
     face = np.linalg.norm(p - np.array([1.5, 1, -27]), axis=-1) - 31.5
     body = -smooth_min(-body, -face, 3)
-    vent = np.minimum(capsule(p, (-9.5, -4.5, 9), (-6, -2, -9), 1.7, 1.7), capsule(p, (-6, -2, -9), (-1.2, 5, -27), 1.7, 1.5))
+    vent = np.minimum(
+        capsule(p, (-9.5, -4.5, 9), (-6, -2, -9), 1.7, 1.7), capsule(p, (-6, -2, -9), (-1.2, 5, -27), 1.7, 1.5)
+    )
     return -smooth_min(-body, vent, 3)
 
 
@@ -73,8 +77,15 @@ def decimate(points, faces):
     """MeshLab's quadric edge collapse: coarse where the surface is even, fine at the vent's rims."""
     layers = pymeshlab.MeshSet(verbose=False)
     layers.add_mesh(pymeshlab.Mesh(points, faces))
-    layers.meshing_decimation_quadric_edge_collapse(targetfacenum=TARGET, qualitythr=1.0, preservetopology=True, preservenormal=True,
-                                                    optimalplacement=True, planarquadric=True, planarweight=0.001)
+    layers.meshing_decimation_quadric_edge_collapse(
+        targetfacenum=TARGET,
+        qualitythr=1.0,
+        preservetopology=True,
+        preservenormal=True,
+        optimalplacement=True,
+        planarquadric=True,
+        planarweight=0.001,
+    )
     return layers.current_mesh().vertex_matrix(), layers.current_mesh().face_matrix()
 
 

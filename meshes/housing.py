@@ -1,8 +1,8 @@
-"""housing.stl: the cover of a gear pump, after the CAD part of the paper's figure 8 (27,800 triangles; "top" indented).
+"""housing.stl: the cover of a gear pump, after the CAD part of the paper's figure 8 ("top" indented).
 
-A thin-walled casing with a rounded rim on a flange with six lugs; on top a filler neck with gussets, vents on both flanks, a pipe port
-and a cable gland at the ends; inside, screw posts and a grid of ribs; below, a groove for the seal. 154 x 110 x 58 mm.
-The label goes on the flat of the top, beside the neck.
+A thin-walled casing with a rounded rim on a flange with six lugs; on top a filler neck with gussets, vents on both
+flanks, a pipe port and a cable gland at the ends; inside, screw posts and a grid of ribs; below, a groove for the seal.
+154 x 110 x 58 mm, 27,958 triangles (the paper's part: 27,800). The label goes on the flat of the top, beside the neck.
 Regenerate: python3 meshes/housing.py
 """
 
@@ -24,9 +24,21 @@ def flange_outline():
         at = lambda along, out, r: (x + along * dx + out * ox, y + along * dy + out * oy, r)
         return [at(-half - 5, 0, 6), at(-half, rise, half - 1.2), at(half, rise, half - 1.2), at(half + 5, 0, 6)]
 
-    return Profile.polygon([*lug(-32, -46, 1, 0), *lug(32, -46, 1, 0), (68, -46, 18), *lug(68, 0, 0, 1), (68, 46, 18),
-                            *lug(32, 46, -1, 0), *lug(-32, 46, -1, 0), (-68, 46, 18), *lug(-68, 0, 0, -1), (-68, -46, 18)],
-                           math.radians(7.5))
+    return Profile.polygon(
+        [
+            *lug(-32, -46, 1, 0),
+            *lug(32, -46, 1, 0),
+            (68, -46, 18),
+            *lug(68, 0, 0, 1),
+            (68, 46, 18),
+            *lug(32, 46, -1, 0),
+            *lug(-32, 46, -1, 0),
+            (-68, 46, 18),
+            *lug(-68, 0, 0, -1),
+            (-68, -46, 18),
+        ],
+        math.radians(7.5),
+    )
 
 
 def body():
@@ -43,29 +55,42 @@ def cavity():
 
 def neck():
     """The filler neck with its gussets."""
-    pipe = sweep(Profile.circle(13, NECK, step=FINE),
-                 flare(TOP, 2.5, 5, inside=0) + [(0, TOP + 11), (2, TOP + 13), (2, TOP + 16.8), (0.8, TOP + 18)])
-    gusset = Profile.polygon([(8, TOP - 2, 1.5), (22.5, TOP - 2, 1.5), (22.5, TOP + 1.6, 1.5), (14.5, TOP + 9.5, 12), (8, TOP + 9.5, 1.5)],
-                             SMALL)
+    pipe = sweep(
+        Profile.circle(13, NECK, step=FINE),
+        flare(TOP, 2.5, 5, inside=0) + [(0, TOP + 11), (2, TOP + 13), (2, TOP + 16.8), (0.8, TOP + 18)],
+    )
+    gusset = Profile.polygon(
+        [(8, TOP - 2, 1.5), (22.5, TOP - 2, 1.5), (22.5, TOP + 1.6, 1.5), (14.5, TOP + 9.5, 12), (8, TOP + 9.5, 1.5)],
+        SMALL,
+    )
     blade = along_y(sweep(gusset, round_bottom(-1.2, 0.7, 3) + round_top(1.2, 0.7, 3)))
     blades = union(*[blade.rotate((0, 0, a)) for a in (0, 60, 120, 180, 240, 300)]).translate((*NECK, 0))
     return pipe + blades
 
 
 def neck_bore():
-    return sweep(Profile.circle(9, NECK, step=FINE), [(0, TOP - 8), (0, TOP + 8), (1.5, TOP + 9.5), (1.5, TOP + 17), (3, TOP + 18.5)])
+    return sweep(
+        Profile.circle(9, NECK, step=FINE),
+        [(0, TOP - 8), (0, TOP + 8), (1.5, TOP + 9.5), (1.5, TOP + 17), (3, TOP + 18.5)],
+    )
 
 
 def ports():
     """A pipe port to the right and a cable gland to the left."""
-    pipe = along_x(sweep(Profile.circle(13, (0, 21), step=FINE), [(0, 50)] + flare(60, 2, 4, inside=0)[1:] + round_top(66, 1, 3)))
-    gland = along_x(sweep(Profile.circle(9, (0, 21), step=FINE), [(0, 50)] + flare(60, 2, 4, inside=0)[1:] + round_top(68, 1, 3)))
+    pipe = along_x(
+        sweep(Profile.circle(13, (0, 21), step=FINE), [(0, 50)] + flare(60, 2, 4, inside=0)[1:] + round_top(66, 1, 3))
+    )
+    gland = along_x(
+        sweep(Profile.circle(9, (0, 21), step=FINE), [(0, 50)] + flare(60, 2, 4, inside=0)[1:] + round_top(68, 1, 3))
+    )
     return pipe + gland.mirror((1, 0, 0))
 
 
 def port_bores():
     screw = sweep(Profile.circle(1.3, step=SMALL), [(0, 58), (0, 65.5), (0.7, 66.2)])
-    screws = union(*[screw.translate((10.3 * math.cos(a), 21 + 10.3 * math.sin(a), 0)) for a in np.radians([45, 135, 225, 315])])
+    screws = union(
+        *[screw.translate((10.3 * math.cos(a), 21 + 10.3 * math.sin(a), 0)) for a in np.radians([45, 135, 225, 315])]
+    )
     pipe = along_x(union(sweep(Profile.circle(7.4, (0, 21), step=FINE), [(0, 40), (0, 65), (1.2, 66.2)]), screws))
     gland = along_x(sweep(Profile.circle(5, (0, 21), step=FINE), [(0, 40), (0, 66.5), (1.8, 68.3)]))
     return pipe + gland.mirror((1, 0, 0))
@@ -90,7 +115,9 @@ def inside():
 
 def screws():
     """Bolt holes of the lugs, screw holes of the posts."""
-    bolt = union(prism(Profile.circle(3.3, step=SMALL), -1, 7), sweep(Profile.circle(6.2, step=SMALL), [(0, 5.2), (0, 7)]))
+    bolt = union(
+        prism(Profile.circle(3.3, step=SMALL), -1, 7), sweep(Profile.circle(6.2, step=SMALL), [(0, 5.2), (0, 7)])
+    )
     screw = sweep(Profile.circle(1.6, step=SMALL), [(0.7, 7.3), (0, 8.7), (0, 28)])
     lugs = place(bolt, (-32, -48), (32, -48), (-32, 48), (32, 48), (-70, 0), (70, 0))
     return lugs + place(screw, (-50, -28), (50, -28), (-50, 28), (50, 28))

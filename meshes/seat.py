@@ -1,7 +1,7 @@
-"""seat.stl: the moulded shell of a chair, 1:5, an open sheet after the paper's figure 11 (label indented in front, raised behind).
+"""seat.stl: the moulded shell of a chair, 1:5, after the paper's figure 11 (indented in front, protruding behind).
 
-One surface without thickness: a back that wraps round the sitter, a dished seat, a rolled front edge, rounded corners.
-94 x 115 x 104 mm, about 8,000 triangles, one border. The label goes on the middle of the back, seen from the front.
+One open surface without thickness: a back that wraps round the sitter, a dished seat, a rolled front edge, rounded
+corners. 94 x 115 x 104 mm, 8,052 triangles, one border. The label goes on the middle of the back, seen from the front.
 Regenerate: python3 meshes/seat.py
 """
 
@@ -12,7 +12,7 @@ import numpy as np
 from solid import write_stl
 
 ROWS, COLUMNS = 66, 61  # of cells: 2 x 66 x 61 = 8,052 triangles
-LENGTH = 180.0          # of the middle line from the top of the back to the front edge
+LENGTH = 180.0  # of the middle line from the top of the back to the front edge
 
 
 def smooth_step(x):
@@ -23,9 +23,13 @@ def smooth_step(x):
 def middle_line(count=4000):
     """Points (y, z) of the middle line and the angle of its direction, by its length from 0 to 1; y is forwards."""
     s = np.linspace(0, 1, count + 1)
-    angle = math.radians(74) * (smooth_step((s - 0.36) / 0.24) - 1)   # down the back, then into the seat
-    angle += math.radians(10) * np.sin(np.pi * np.clip(s / 0.40, 0, 1)) * np.cos(np.pi * np.clip(s / 0.40, 0, 1))  # small of the back
-    angle -= math.radians(48) * smooth_step((s - 0.80) / 0.22) + math.radians(4) * smooth_step((s - 0.4) / 0.2)  # the front edge
+    angle = math.radians(74) * (smooth_step((s - 0.36) / 0.24) - 1)  # down the back, then into the seat
+    angle += (
+        math.radians(10) * np.sin(np.pi * np.clip(s / 0.40, 0, 1)) * np.cos(np.pi * np.clip(s / 0.40, 0, 1))
+    )  # small of the back
+    angle -= math.radians(48) * smooth_step((s - 0.80) / 0.22) + math.radians(4) * smooth_step(
+        (s - 0.4) / 0.2
+    )  # the front edge
     middle = (angle[1:] + angle[:-1]) / 2
     y, z = (np.concatenate([[0], np.cumsum(f(middle)) * LENGTH / count]) for f in (np.cos, np.sin))
     return s, y, z, angle
@@ -36,17 +40,19 @@ def surface(u, t):
     s, y, z, angle = middle_line()
     a = np.interp(t, s, angle)
     half = 41 + 6 * smooth_step((t - 0.15) / 0.5)
-    lift = 13 * (1 - smooth_step((t - 0.25) / 0.35)) + 6.5 * smooth_step((t - 0.3) / 0.3) * (1 - smooth_step((t - 0.72) / 0.28))
+    lift = 13 * (1 - smooth_step((t - 0.25) / 0.35)) + 6.5 * smooth_step((t - 0.3) / 0.3) * (
+        1 - smooth_step((t - 0.72) / 0.28)
+    )
     lift = lift * (np.abs(u) ** 2.6)
     return np.stack([half * u, np.interp(t, s, y) - lift * np.sin(a), np.interp(t, s, z) + lift * np.cos(a)], axis=-1)
 
 
 def rounded(u, v, power=4.5):
-    """Map the square onto a square with rounded corners: rays keep their direction, rings become superellipses towards the rim."""
+    """Map the square onto one with rounded corners: rays keep their direction, rings become superellipses outwards."""
     ring = np.maximum(np.abs(u), np.abs(v))
     reach = (np.abs(u) ** power + np.abs(v) ** power) ** (1 / power)
     shrink = np.where(reach > 0, ring / np.where(reach > 0, reach, 1), 1)
-    blend = ring ** 2
+    blend = ring**2
     scale = 1 + blend * (shrink - 1)
     return u * scale, v * scale
 

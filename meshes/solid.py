@@ -4,7 +4,7 @@ Units are millimetres. Booleans are Manifold's (manifold3d); everything else is 
     pip install -r meshes/requirements.txt
 and regenerate a part with
     python3 meshes/bracket.py
-which writes meshes/bracket.stl. The same versions write the same bytes.
+which writes meshes/bracket.stl. The same versions on the same kind of machine write the same bytes.
 """
 
 import math
@@ -29,7 +29,9 @@ class Profile:
             nx, ny, nr, nside, nangles = arcs[(k + 1) % len(arcs)]
             end = np.array([x + side * r * math.cos(angles[-1]), y + side * r * math.sin(angles[-1])])
             start = np.array([nx + nside * nr * math.cos(nangles[0]), ny + nside * nr * math.sin(nangles[0])])
-            assert len(arcs) == 1 or (start - end) @ (-math.sin(nangles[0]), math.cos(nangles[0])) > -1e-9, "arcs overlap"
+            assert (
+                len(arcs) == 1 or (start - end) @ (-math.sin(nangles[0]), math.cos(nangles[0])) > -1e-9
+            ), "arcs overlap"
             joined = len(arcs) > 1 and np.linalg.norm(end - start) < 1e-9  # two arcs without a line between them
             self.arcs.append((x, y, r, side, angles[:-1] if joined else angles))
 
@@ -98,14 +100,15 @@ def round_bottom(height, radius, steps):
 def flare(height, radius, steps, inside=0.05, sink=1.0):
     """The foot of a sweep's side: a concave fillet onto a plane at the height.
 
-    It ends a little inside the side that it fills, so that the surfaces cross instead of touching, and goes on below the plane.
+    It ends a little inside the side that it fills, so that the surfaces cross instead of touching, and goes on below
+    the plane.
     """
     foot = [(d - inside, z) for d, z in arc((radius, height + radius), radius, 270, 180, steps)]
     return [(foot[0][0], height - sink)] + foot
 
 
 def sweep(profile, side):
-    """The solid whose section at each height is the profile, offset: side = [(offset, height), ...], heights from below."""
+    """The solid whose section at each height is the profile, offset: side = [(offset, height), ...], from below."""
     rings = [np.column_stack([profile.points(d), np.full(sum(len(a[4]) for a in profile.arcs), z)]) for d, z in side]
     n = len(rings[0])
     vertices = np.vstack(rings)
@@ -164,7 +167,7 @@ def triangles_of(m):
 
 
 def check(points, faces, closed=True):
-    """Complain unless the mesh is an oriented manifold without slivers; returns the height of the thinnest triangle, in ulps."""
+    """Refuse a mesh that is no oriented manifold or has slivers; returns the height of the thinnest triangle, ulps."""
     corners = points[faces].astype(np.float64)
     edges = np.roll(corners, -1, 1) - corners
     area = np.linalg.norm(np.cross(edges[:, 0], edges[:, 1]), axis=1)
@@ -187,7 +190,14 @@ def write_stl(source, points, faces, closed=True):
     rows["normal"], rows["corners"] = normals, corners
     name = os.path.splitext(os.path.basename(source))[0]
     with open(os.path.splitext(os.path.abspath(source))[0] + ".stl", "wb") as file:
-        file.write(f"TextLabel {name}, millimetres".encode().ljust(80) + len(faces).to_bytes(4, "little") + rows.tobytes())
-    volume = np.einsum("ij,ij->i", corners[:, 0].astype(float), np.cross(corners[:, 1].astype(float), corners[:, 2])).sum() / 6
-    print(f"{name}: {len(faces)} triangles, {len(points)} vertices, volume {volume:.3f}, size {np.ptp(points, axis=0)}, "
-          f"thinnest triangle {thinnest:.0f} ulps")
+        file.write(
+            f"TextLabel {name}, millimetres".encode().ljust(80) + len(faces).to_bytes(4, "little") + rows.tobytes()
+        )
+    volume = (
+        np.einsum("ij,ij->i", corners[:, 0].astype(float), np.cross(corners[:, 1].astype(float), corners[:, 2])).sum()
+        / 6
+    )
+    print(
+        f"{name}: {len(faces)} triangles, {len(points)} vertices, volume {volume:.3f}, size {np.ptp(points, axis=0)}, "
+        f"thinnest triangle {thinnest:.0f} ulps"
+    )
