@@ -189,10 +189,21 @@ std::vector<int> AllFaces(const Shape& s)
 	return all;
 }
 
+/// Whether a triangle's box is farther away than that: most are, and are not looked at closely.
+bool IsBeyond(const Corner& t, const Point3d& p, double distance)
+{
+	for (int i = 0; i < 3; ++i) {
+		const auto [low, high] = std::minmax({t[0][i], t[1][i], t[2][i]});
+		if (low - p[i] > distance || p[i] - high > distance) return true;
+	}
+	return false;
+}
+
 double NearestDistance(const Point3d& p, const std::vector<Corner>& faces)
 {
 	double least = std::numeric_limits<double>::infinity();
-	for (const Corner& t : faces) least = std::min(least, Distance(p, t));
+	for (const Corner& t : faces)
+		if (!IsBeyond(t, p, least)) least = std::min(least, Distance(p, t));
 	return least;
 }
 
@@ -203,6 +214,7 @@ double FarthestFromOld(const std::vector<Corner>& pieces, const std::vector<Corn
 	for (const Corner& piece : pieces) {
 		double least = std::numeric_limits<double>::infinity();
 		for (const Corner& t : old) {
+			if (IsBeyond(t, piece[0], least)) continue;
 			double farthest = 0;
 			for (const Point3d& p : piece) farthest = std::max(farthest, Distance(p, t));
 			least = std::min(least, farthest);

@@ -1,0 +1,453 @@
+// Every error: provoked by an input that a user could bring, with the right words, and the mesh as it was.
+
+#include "vcg_ext/text_label.h"
+
+#include <gtest/gtest.h>
+
+#include "label_check.h"
+#include "test_mesh.h"
+
+namespace {
+
+using namespace label_check;
+using test_mesh::FloatMesh;
+using test_mesh::Shape;
+
+Shape Plate() { return test_mesh::Slab(30, 20, 4, 15, 10); }
+
+Shape FlatSheet(double size)
+{
+	return test_mesh::Sheet(10, 10, [&](int i, int j) { return Point3d(size * (i - 5), size * (j - 5), 0); });
+}
+
+/// Label the mesh, which must be refused and stay as it was.
+Error RefusedMesh(FloatMesh& m, const Outline& outline, const LabelFrame& frame, const LabelOptions& options)
+{
+	const std::string bytes = test_mesh::Bytes(m);
+	const auto* vertices = m.vert.data();
+	const auto* faces = m.face.data();
+	Error error(ErrorCode::OutOfMemory, "the label was not refused");
+	Refusal(m, outline, frame, options, &error);
+	EXPECT_TRUE(test_mesh::Bytes(m) == bytes) << "the mesh was changed";
+	EXPECT_EQ(m.vert.data(), vertices);
+	EXPECT_EQ(m.face.data(), faces);
+	return error;
+}
+
+Error Refused(const Shape& shape, const Outline& outline, const LabelFrame& frame = {}, double height = 1,
+              ExtrudeAlong along = ExtrudeAlong::Viewpoint)
+{
+	FloatMesh m;
+	test_mesh::Fill(m, shape);
+	LabelOptions options;
+	options.height = height;
+	options.along = along;
+	return RefusedMesh(m, outline, frame, options);
+}
+
+#define EXPECT_CODE(error, expected) EXPECT_EQ(int((error).code), int(ErrorCode::expected)) << (error).what()
+
+/// The place is within `distance` of p.
+void ExpectPlace(const Error& e, const Point3d& p, double distance)
+{
+	ASSERT_TRUE(e.hasPlace) << e.what();
+	EXPECT_LE((e.place - p).Norm(), distance) << e.place[0] << ' ' << e.place[1] << ' ' << e.place[2];
+}
+
+// ---- the request ----
+
+TEST(Refusal, EmptyLabel) { EXPECT_CODE(Refused(Plate(), Outline{}), EmptyLabel); }
+
+TEST(Refusal, ContourOfTwoPoints)
+{
+	const Error e = Refused(Plate(), Letters({Rectangle(-5, -2, -3, 2), {{0, 0}, {1, 0}}}));
+	EXPECT_CODE(e, BadContour);
+}
+
+TEST(Refusal, ContourThatIsNotFinite)
+{
+	for (const double bad : {std::nan(""), std::numeric_limits<double>::infinity()}) {
+		Outline o = Letters({Rectangle(-5, -2, -3, 2), Rectangle(0, -2, 2, 2)});
+		o.contours[1].points[2][0] = bad;
+		const Error e = Refused(Plate(), o);
+		EXPECT_CODE(e, BadContour);
+		EXPECT_EQ(e.letter, 1);
+	}
+}
+
+// What no text gives, but a caller of the library could: it has to be found, not written into the mesh.
+TEST(Refusal, ContoursThatAreNoLetters)
+{
+	const std::vector<std::pair<std::string, Outline>> bad = {
+		{"clockwise letter", Letters({Hole(Rectangle(-3, -3, 3, 3))})},
+		{"bow tie", Letters({{{-3, -3}, {3, 3}, {3, -3}, {-3, 4}}})},
+		{"crossing letters", Letters({Rectangle(-3, -3, 1, 3), Rectangle(-1, -2, 4, 2)})},
+		{"letter in a letter", Letters({Rectangle(-3, -3, 3, 3), Rectangle(-1, -1, 1, 1)})},
+		{"hole beside its letter", Letters({Rectangle(-5, -3, -1, 3), Hole(Rectangle(1, -1, 3, 1))})},
+		{"hole across its letter", Letters({Rectangle(-5, -3, -1, 3), Hole(Rectangle(-2, -1, 3, 1))})},
+		{"the same letter twice", Letters({Rectangle(-3, -3, 3, 3), Rectangle(-3, -3, 3, 3)})},
+	};
+	for (const Shape& shape : {Plate(), test_mesh::Box(60, 60, 4)})
+		for (const auto& [name, outline] : bad)
+			for (const double height : {1.0, -1.0, 0.0}) {
+				SCOPED_TRACE(name);
+				EXPECT_CODE(Refused(shape, outline, {}, height), BadContour);
+			}
+}
+
+TEST(Refusal, BadFrames)
+{
+	const auto frameWith = [](const std::function<void(LabelFrame&)>& spoil) {
+		LabelFrame f;
+		spoil(f);
+		return f;
+	};
+	const std::vector<LabelFrame> frames = {
+		frameWith([](LabelFrame& f) { f.origin[1] = std::nan(""); }),
+		frameWith([](LabelFrame& f) {
+			f.u = {2, 0, 0};
+		}),
+		frameWith([](LabelFrame& f) {
+			f.u = {0, 0, 0};
+		}),
+		frameWith([](LabelFrame& f) {
+			f.w = {0, 0, -1};
+		}),
+		frameWith([](LabelFrame& f) { f.v = f.u; }),
+		frameWith([](LabelFrame& f) { f.perspective = true; }),
+		frameWith([](LabelFrame& f) {
+			f.perspective = true;
+			f.center = {0, 0, -10};
+		}),
+		frameWith([](LabelFrame& f) {
+			f.perspective = true;
+			f.center = {0, 0, std::numeric_limits<double>::infinity()};
+		}),
+		frameWith([](LabelFrame& f) { f.toWorld.ElementAt(2, 2) = 0; }),
+		frameWith([](LabelFrame& f) { f.toWorld.ElementAt(0, 3) = std::nan(""); }),
+	};
+	for (size_t i = 0; i < frames.size(); ++i) {
+		SCOPED_TRACE(i);
+		EXPECT_CODE(Refused(Plate(), ThreeLetters(), frames[i]), BadFrame);
+	}
+}
+
+TEST(Refusal, BadHeights)
+{
+	const double infinity = std::numeric_limits<double>::infinity();
+	for (const double height : {std::nan(""), infinity, -infinity, 1e30, 1000.0})
+		EXPECT_CODE(Refused(Plate(), ThreeLetters(), {}, height), BadHeight);
+}
+
+// ---- the mesh ----
+
+TEST(Refusal, EmptyMeshes)
+{
+	EXPECT_CODE(Refused(Shape{}, ThreeLetters()), EmptyMesh);
+	Shape cloud = Plate();
+	cloud.faces.clear();
+	EXPECT_CODE(Refused(cloud, ThreeLetters()), EmptyMesh);
+	const Shape nowhere = Plate().moved([](const Point3d& p) { return Point3d(p[0], p[1], std::nan("")); });
+	EXPECT_CODE(Refused(nowhere, ThreeLetters()), EmptyMesh);
+}
+
+TEST(Refusal, Quads)
+{
+	FloatMesh m;
+	test_mesh::Fill(m, Plate());
+	for (size_t f = 0; f + 1 < m.face.size(); f += 2) {  // the diagonals of the shape's quads
+		m.face[f].SetF(2);
+		m.face[f + 1].SetF(0);
+	}
+	const Error e = RefusedMesh(m, ThreeLetters(), FromAbove(), {});
+	EXPECT_CODE(e, NotTriangles);
+	EXPECT_GE(e.face, 0);
+}
+
+// ---- the place ----
+
+TEST(Refusal, BesideThePart)
+{
+	const Error e = Refused(Plate(), Letters({Rectangle(-5, -2, -3, 2), Rectangle(20, -2, 22, 2)}));
+	EXPECT_CODE(e, OffSurface);
+	EXPECT_EQ(e.letter, 1);
+	ExpectPlace(e, {20, 0, 0}, 3);
+}
+
+TEST(Refusal, PartThatShowsItsBack)
+{
+	Shape inside = Plate();
+	for (auto& f : inside.faces) std::swap(f[1], f[2]);
+	const Error e = Refused(inside, ThreeLetters());
+	EXPECT_CODE(e, FacesAway);
+	EXPECT_GE(e.letter, 0);
+	ASSERT_GE(e.face, 0);
+	ExpectPlace(e, {0, 0, 0}, 8);
+
+	LabelFrame below;
+	below.u = {-1, 0, 0};
+	below.w = {0, 0, -1};
+	EXPECT_CODE(Refused(FlatSheet(4), ThreeLetters(), below), FacesAway);
+}
+
+TEST(Refusal, OverTheBorder)
+{
+	const Outline letters = Letters({Rectangle(-5, -2, -3, 2), Rectangle(18, 1, 22, 3)});  // the sheet ends at 20
+	const Error e = Refused(FlatSheet(4), letters);
+	EXPECT_CODE(e, Border);
+	EXPECT_EQ(e.letter, 1);
+	ExpectPlace(e, {20, 2, 0}, 2);
+}
+
+TEST(Refusal, AroundAHole)
+{
+	Shape sheet = FlatSheet(4);
+	sheet.faces.erase(sheet.faces.begin() + 2 * 55);  // half of the square (0,0)-(4,4), well within the letter
+	const Error e = Refused(sheet, Letters({Rectangle(-7, -7, 9, 9)}));
+	EXPECT_CODE(e, Border);
+	EXPECT_EQ(e.letter, 0);
+	ExpectPlace(e, {2, 2, 0}, 3);
+}
+
+TEST(Refusal, OverTheEdgeOfABox)
+{
+	const Error e = Refused(Plate(), Letters({Rectangle(-5, -2, -3, 2), Rectangle(13, 1, 17, 3)}));
+	EXPECT_CODE(e, Silhouette);
+	EXPECT_EQ(e.letter, 1);
+	ExpectPlace(e, {15, 2, 0}, 2);
+}
+
+TEST(Refusal, OverTheHorizonOfABall)
+{
+	const Shape ball = test_mesh::Sphere(12, 60, 40);
+	EXPECT_CODE(Refused(ball, Letters({Rectangle(-2, -2, 11.9, 2)})), Silhouette);
+	const Error e = Refused(ball, Letters({Rectangle(-20, -20, 20, 20)}));
+	EXPECT_CODE(e, OffSurface);
+}
+
+TEST(Refusal, FinUnderALetter)
+{
+	Shape fin = Plate();
+	// a third face on the edge from (0,0) to (2,0), standing on it
+	const auto at = [&](double x, double y) {
+		for (size_t i = 0; i < fin.points.size(); ++i)
+			if ((fin.points[i] - Point3d(x, y, 0)).Norm() < 1e-9) return int(i);
+		return -1;
+	};
+	const int a = at(-1, 0), b = at(1, 0);
+	ASSERT_GE(std::min(a, b), 0);
+	fin.faces.push_back({a, b, fin.add({0, 0, 3})});
+	for (const Outline& letter : {Letters({Rectangle(-3, -3, 3, 3)}), Letters({Rectangle(-0.5, -3, 0.5, 3)})}) {
+		const Error e = Refused(fin, letter);
+		EXPECT_CODE(e, NonManifold);
+		EXPECT_EQ(e.letter, 0);
+		ExpectPlace(e, {0, 0, 0}, 1.5);
+	}
+}
+
+TEST(Refusal, NeighboursOfOppositeOrientation)
+{
+	Shape plate = Plate();
+	const size_t index = 2 * (5 * 15 + 7);  // one of the two triangles around (0, 1)
+	std::swap(plate.faces[index][1], plate.faces[index][2]);
+	const Error e = Refused(plate, Letters({Rectangle(-5, -4, 5, 5)}));
+	EXPECT_CODE(e, NonManifold);
+	ExpectPlace(e, {0, 1, 0}, 2);
+}
+
+TEST(Refusal, PlateThatHovers)
+{
+	const Shape hovering = test_mesh::Box(1, 1, 0.5).moved([](const Point3d& p) { return p + Point3d(0, 0, 5); });
+	const Shape both = Plate().joined(hovering);
+	const int first = int(Plate().faces.size());
+	const Error e = Refused(both, Letters({Rectangle(-3, -3, 3, 3)}));
+	EXPECT_CODE(e, Occluded);
+	EXPECT_GE(e.face, first);
+	EXPECT_EQ(e.letter, 0);
+	ExpectPlace(e, {0, 0, 0}, 6);
+	// and when the letter's contour runs under it
+	const Error under = Refused(both, Letters({Rectangle(-3, -3, 0, 3)}));
+	EXPECT_CODE(under, Occluded);
+	// in the hole of the letter it does no harm
+	FloatMesh m;
+	test_mesh::Fill(m, both);
+	EXPECT_NO_THROW(LabelMesh(m, Letters({Rectangle(-3, -3, 3, 3), Hole(Rectangle(-2, -2, 2, 2))}), FromAbove()));
+}
+
+// A spiral staircase: from storey to storey it covers itself, and no edge leads out of it.
+TEST(Refusal, StaircaseThatCoversItself)
+{
+	const Shape stairs = test_mesh::Helicoid(4, 20, 3, 2.5, 120, 8);
+	const std::vector<Point2d> around = RegularPolygon(0, 0, 15, 60), within = Hole(RegularPolygon(0, 0, 8, 60));
+	for (const double height : {0.5, -0.5, 0.0}) {
+		const Error e = Refused(stairs, Letters({around, within}), {}, height);
+		EXPECT_TRUE(e.code == ErrorCode::Occluded || e.code == ErrorCode::Border) << int(e.code) << ' ' << e.what();
+	}
+	// on the top storey there is room
+	FloatMesh m;
+	test_mesh::Fill(m, stairs);
+	const Shape before = test_mesh::ToShape(m);
+	LabelOptions options;
+	options.height = 0.5;
+	LabelMesh(m, Letters({Rectangle(-14, -3, -8, -1)}), FromAbove(), options);
+	ExpectSameKind(before, m);
+}
+
+TEST(Refusal, RampThatRisesBehindTheCamera)
+{
+	const Shape ramp =
+		test_mesh::Sheet(1, 1, [](int i, int j) { return Point3d(100 * i - 50, 100 * j - 50, 60.0 * i - 30); });
+	EXPECT_CODE(Refused(ramp, Letters({Rectangle(-1, -1, 1, 1)}), FromAbovePerspective(20)), BehindCamera);
+}
+
+TEST(Refusal, SteepPlane)
+{
+	const Shape steep =
+		test_mesh::Slab(20, 20, 200, 4, 4).moved([](const Point3d& p) { return p + Point3d(0, 0, 10 * p[0]); });
+	const Error e = Refused(steep, ThreeLetters());
+	EXPECT_CODE(e, Grazing);
+	EXPECT_NEAR(e.value, std::sqrt(101.0), 1e-4);
+	EXPECT_EQ(e.limit, LabelOptions().maxStretch);
+	EXPECT_GE(e.letter, 0);
+	EXPECT_GE(e.face, 0);
+	FloatMesh m;
+	test_mesh::Fill(m, steep);
+	LabelOptions options;
+	options.maxStretch = 10.1;
+	EXPECT_NEAR(LabelMesh(m, ThreeLetters(), FromAbove(), options).stretch, std::sqrt(101.0), 1e-4);
+}
+
+// ---- the result ----
+
+TEST(Refusal, LettersFinerThanTheCoordinates)
+{
+	// at 1e6 float32 goes in steps of 1/16
+	const Shape far = Plate().moved([](const Point3d& p) { return p + Point3d(1e6, 1e6, 0); });
+	LabelFrame frame;
+	frame.origin = {1e6, 1e6, 0};
+	const Error e = Refused(far, Letters({Rectangle(-5, -2, -3, 2), Rectangle(0, -1, 0.25, 1)}), frame, 1);
+	EXPECT_CODE(e, TooFine);
+	EXPECT_GT(e.limit, e.value);
+	EXPECT_GE(e.letter, 0);
+}
+
+TEST(Refusal, DeeperThanTheWall)
+{
+	const Shape thin = test_mesh::Slab(30, 20, 1.25, 15, 10);
+	for (const ExtrudeAlong along : {ExtrudeAlong::Viewpoint, ExtrudeAlong::LabelNormal, ExtrudeAlong::SurfaceNormal})
+		for (const double height : {-1.25, -1.3, -4.0}) {
+			const Error e = Refused(thin, ThreeLetters(), {}, height, along);
+			EXPECT_CODE(e, HitsSurface);
+			EXPECT_EQ(e.value, -height);
+			EXPECT_NEAR(e.limit, 1.25, 0.01) << "height " << height << " along " << int(along);
+			EXPECT_GE(e.letter, 0);
+		}
+}
+
+// A shelf above the plate, at z from 2 to 3 over y from 9 to 15; seen slantwise the letter at y from 9.5 to 10.6 lies in under it.
+TEST(Refusal, IntoTheCeiling)
+{
+	const Shape shelf = test_mesh::Box(30, 6, 1).moved([](const Point3d& p) { return p + Point3d(0, 12, 3); });
+	const Shape both = test_mesh::Box(30, 30, 4).joined(shelf);
+	const LabelFrame slanted = FrameFromDirection({0, 5, 0}, {0, -1, 1}, {0, 1, 0});
+	const Outline letter = Letters({Rectangle(-3, 3.2, 3, 3.95)});
+	for (const double height : {2.0, 2.5, 8.0}) {
+		const Error e = Refused(both, letter, slanted, height, ExtrudeAlong::SurfaceNormal);
+		EXPECT_CODE(e, HitsSurface);
+		EXPECT_EQ(e.value, height);
+		EXPECT_NEAR(e.limit, 2, 0.01);
+		EXPECT_EQ(e.letter, 0);
+		EXPECT_GE(e.face, 12) << "the face that is met is one of the shelf";
+	}
+	FloatMesh m;
+	test_mesh::Fill(m, both);
+	const Shape before = test_mesh::ToShape(m);
+	LabelOptions options;
+	options.height = 1.99;
+	options.along = ExtrudeAlong::SurfaceNormal;
+	LabelMesh(m, letter, slanted, options);
+	ExpectSameKind(before, m);
+}
+
+// Towards C only so far as C is away: from the vertices of the plate under the letter that is 10.05 and more.
+TEST(Refusal, RaisedPastTheCamera)
+{
+	for (const double height : {10.5, 12.0, 25.0}) {
+		const Error e = Refused(Plate(), Letters({Rectangle(-3, -3, 3, 3)}), FromAbovePerspective(10), height);
+		EXPECT_TRUE(e.code == ErrorCode::BadHeight || e.code == ErrorCode::HitsItself)
+			<< int(e.code) << ' ' << e.what();
+	}
+}
+
+// Raised along the label's normal towards a wide-angle camera, the top leaves the cone of sight: at (7, 8) it is seen where the
+// label plane has 35. There it meets a box that hovers far from the letter's outline as C sees it.
+TEST(Refusal, RaisedIntoWhatIsSeenElsewhere)
+{
+	const Shape hovering = test_mesh::Box(1, 1, 0.5).moved([](const Point3d& p) { return p + Point3d(7, 0, 7.5); });
+	const Shape both = Plate().joined(hovering);
+	for (const ExtrudeAlong along : {ExtrudeAlong::LabelNormal, ExtrudeAlong::SurfaceNormal}) {
+		const Error e = Refused(both, Letters({Rectangle(6, -2, 8, 2)}), FromAbovePerspective(10), 8, along);
+		EXPECT_CODE(e, HitsSurface);
+		EXPECT_NEAR(e.limit, 7, 0.02);
+		EXPECT_GE(e.face, int(Plate().faces.size()));
+	}
+}
+
+TEST(Refusal, FoldsInAGroove)
+{
+	// the inside of a half tube of radius 5: along its normals everything meets in the axis
+	const Shape groove =
+		test_mesh::Thickened(test_mesh::Sheet(40, 10,
+	                                          [](int i, int j) {
+												  const double a = M_PI * (i / 40.0) - M_PI;
+												  return Point3d(5 * std::cos(a), 3.0 * (j - 5), 5 * std::sin(a) + 5);
+											  }),
+	                         40, 10, {0, 0, -10});
+	const Outline letter = Letters({Rectangle(-3.3, -4, 3.1, 4)});
+	const Error e = Refused(groove, letter, {}, 7, ExtrudeAlong::SurfaceNormal);
+	EXPECT_TRUE(e.code == ErrorCode::HitsItself || e.code == ErrorCode::HitsSurface) << int(e.code) << ' ' << e.what();
+	EXPECT_EQ(e.value, 7);
+	EXPECT_GT(e.limit, 2);
+	EXPECT_LT(e.limit, 5.1);
+	// what is said to work does work
+	FloatMesh m;
+	test_mesh::Fill(m, groove);
+	const Shape before = test_mesh::ToShape(m);
+	LabelOptions options;
+	options.height = e.limit;
+	options.along = ExtrudeAlong::SurfaceNormal;
+	EXPECT_NO_THROW(LabelMesh(m, letter, FromAbove(), options));
+	ExpectSameKind(before, m);
+}
+
+TEST(Refusal, CancelledAtEveryReport)
+{
+	const auto run = [](int stopAt, std::vector<int>* seen) {
+		FloatMesh m;
+		test_mesh::Fill(m, Plate());
+		LabelOptions options;
+		options.height = 1;
+		options.progress = [&, stopAt](int percent) {
+			seen->push_back(percent);
+			return int(seen->size()) != stopAt;
+		};
+		if (stopAt == 0) {
+			LabelMesh(m, ThreeLetters(), FromAbove(), options);
+		} else {
+			EXPECT_CODE(RefusedMesh(m, ThreeLetters(), FromAbove(), options), Cancelled);
+		}
+	};
+	std::vector<int> all;
+	run(0, &all);
+	ASSERT_FALSE(all.empty());
+	EXPECT_TRUE(std::is_sorted(all.begin(), all.end()));
+	EXPECT_GE(all.front(), 0);
+	EXPECT_LE(all.back(), 100);
+	for (int stop = 1; stop <= int(all.size()); ++stop) {
+		std::vector<int> seen;
+		run(stop, &seen);
+		EXPECT_EQ(int(seen.size()), stop) << "went on after the stop";
+	}
+}
+
+}  // namespace
