@@ -61,7 +61,7 @@ public:
 private:
 	PathNode vertexNode(int v, int triangle) const { return {PathNode::OnVertex, v, 0, sheet_.plane(v), triangle}; }
 	PathNode edgeNode(int h, double along) const;
-	/// The vertex, edge or interior of a triangle that holds p within snap, if any.
+	/// The vertex, edge or interior of a triangle that holds p within snap, if any; on the last leg only the start will do.
 	bool settle(int triangle, const vcg::Point2d& p, PathNode& node) const;
 	/// Where the line from-to crosses half-edge h.
 	PathNode crossing(int h, const vcg::Point2d& from, const vcg::Point2d& to) const;
@@ -79,12 +79,15 @@ private:
 
 	bool areSame(const PathNode& a, const PathNode& b) const;
 	bool lieOn(int halfEdge, const PathNode& node) const;
+	bool lieIn(int triangle, const PathNode& node) const;
+	void requireTwoSides(const PathNode& node) const;
 	SheetPath::Piece pieceBetween(const PathNode& a, const PathNode& b) const;
 	void removeSpikes(std::vector<PathNode>& nodes) const;
 
 	const Sheet& sheet_;
 	double snap_;
-	mutable std::vector<int> fan_;  ///< scratch
+	mutable std::vector<int> fan_;            ///< scratch
+	mutable const PathNode* goal_ = nullptr;  ///< where the contour closes, on its last leg
 };
 
 // ---------------------------------------------------------------------------------------------------------------------------
@@ -100,6 +103,11 @@ inline PathNode EdgeMarch::edgeNode(int h, double along) const
 inline bool EdgeMarch::settle(int t, const vcg::Point2d& p, PathNode& node) const
 {
 	const auto& v = sheet_.triangles[size_t(t)].vertex;
+	if (goal_ != nullptr && lieIn(t, *goal_)) {
+		node = *goal_;
+		node.triangle = t;
+		return true;
+	}
 	const double snapSquared = snap_ * snap_;
 	bool inside = true;
 	double nearest = snap_;
@@ -258,6 +266,20 @@ inline bool EdgeMarch::lieOn(int halfEdge, const PathNode& node) const
 	return node.kind == PathNode::OnEdge && node.where == sheet_.canonical(halfEdge);
 }
 
+inline bool EdgeMarch::lieIn(int triangle, const PathNode& node) const
+{
+	if (node.kind == PathNode::InFace) return node.where == triangle;
+	for (int h = 3 * triangle; h < 3 * triangle + 3; ++h)
+		if (lieOn(h, node)) return true;
+	return false;
+}
+
+// An edge that would be cut on one side only would leave a crack: the faces beyond it are not ours, or there are none.
+inline void EdgeMarch::requireTwoSides(const PathNode& node) const
+{
+	if (node.kind == PathNode::OnEdge && sheet_.twin[size_t(node.where)] < 0) leave(node.where, node);
+}
+
 inline SheetPath::Piece EdgeMarch::pieceBetween(const PathNode& a, const PathNode& b) const
 {
 	// b was reached through b.triangle, which holds a as well; when both are on one of its edges the piece runs along it
@@ -277,19 +299,24 @@ inline SheetPath EdgeMarch::march(const std::vector<vcg::Point2d>& points, int t
 {
 	SheetPath path;
 	PathNode node;
+	goal_ = nullptr;
 	if (!settle(triangle, points[0], node)) throw PlacementConflict{"the seed is not in its triangle", points[0]};
 	const size_t patience = 4 * sheet_.triangles.size() + 64;  // steps for one segment; more would be a circle
+	requireTwoSides(node);
 	path.nodes.push_back(node);
 	for (size_t i = 1; i <= points.size(); ++i) {
-		const vcg::Point2d target = i < points.size() ? points[i] : path.nodes[0].plane;
+		const vcg::Point2d target = i < points.size() ? points[i] : node.plane;
+		goal_ = i < points.size() ? nullptr : &node;
 		size_t steps = 0;
 		for (bool arrived = false; !arrived;) {
 			PathNode next;
 			if (++steps > patience) throw PlacementConflict{"the march does not end", target};
 			arrived = step(path.nodes.back(), target, next);
+			requireTwoSides(next);
 			if (!areSame(next, path.nodes.back())) path.nodes.push_back(next);
 		}
 	}
+	goal_ = nullptr;
 	if (path.nodes.size() < 4 || !areSame(path.nodes.front(), path.nodes.back()))
 		throw PlacementConflict{"the contour does not close on the sheet", points[0], ErrorCode::Occluded};
 	path.nodes.front() = path.nodes.back();  // keeps the triangle that the last piece comes through

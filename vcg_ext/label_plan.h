@@ -67,8 +67,8 @@ private:
 	static constexpr int bisections = 10;
 
 	Outline prepared(const Outline& outline, const vcg::Point2d& shift) const;
-	bool attempt(const Outline& outline, LabelPlan& plan, PlacementConflict& conflict);
-	void finish(LabelPlan& plan) const;
+	bool attempt(const Outline& outline, bool last, LabelPlan& plan, PlacementConflict& conflict);
+	void finish(LabelPlan& plan, bool last) const;
 	void measureSurface(LabelPlan& plan) const;
 	void checkRoom(LabelPlan& plan) const;
 	[[noreturn]] void refuseHeight(const LabelPlan& plan, const PatchVerdict& verdict) const;
@@ -131,7 +131,7 @@ inline LabelPlan LabelPlanner::plan(const Outline& outline)
 		LabelPlan plan;
 		plan.attempts = i + 1;
 		plan.resolution = snapUlps * ulp_ + shift.Norm();
-		if (attempt(prepared(outline, shift), plan, conflict)) return plan;
+		if (attempt(prepared(outline, shift), i + 1 == mostAttempts, plan, conflict)) return plan;
 		report(10);
 	}
 	vcg::Point3d onPlane(conflict.place[0], conflict.place[1], 0);
@@ -139,7 +139,7 @@ inline LabelPlan LabelPlanner::plan(const Outline& outline)
 }
 
 /// Lay the label once, and once more without the caps that it met when they stand in its way.
-inline bool LabelPlanner::attempt(const Outline& outline, LabelPlan& plan, PlacementConflict& conflict)
+inline bool LabelPlanner::attempt(const Outline& outline, bool last, LabelPlan& plan, PlacementConflict& conflict)
 {
 	constexpr int rounds = 4;  // a flip may leave a lower cap beside it
 	for (int round = 0; round < rounds; ++round) {
@@ -147,7 +147,7 @@ inline bool LabelPlanner::attempt(const Outline& outline, LabelPlan& plan, Place
 		LabelCutter cutter(space_, sheet_, snap_);
 		try {
 			plan.cut = cutter.cut(outline, seeds);
-			finish(plan);
+			finish(plan, last);
 			return true;
 		} catch (const PlacementConflict& c) {
 			conflict = c;
@@ -160,7 +160,7 @@ inline bool LabelPlanner::attempt(const Outline& outline, LabelPlan& plan, Place
 }
 
 /// From the cut to a patch that is sound on rounded coordinates.
-inline void LabelPlanner::finish(LabelPlan& plan) const
+inline void LabelPlanner::finish(LabelPlan& plan, bool last) const
 {
 	report(40);
 	measureSurface(plan);
@@ -174,7 +174,8 @@ inline void LabelPlanner::finish(LabelPlan& plan) const
 		verdict = check(plan.patch);
 	}
 	if (verdict.fault == PatchFault::Sound) return;
-	if (options_.height != 0 && verdict.fault >= PatchFault::Folded) refuseHeight(plan, verdict);
+	// a raised vertex may also fall on another by the height alone; to tell costs a search, so only when no shift has helped
+	if (options_.height != 0 && (verdict.fault >= PatchFault::Folded || last)) refuseHeight(plan, verdict);
 	throw PlacementConflict{"rounded coordinates spoil the label", space_.project(space_.toLabel(verdict.place))};
 }
 
@@ -240,8 +241,8 @@ inline void LabelPlanner::refuseHeight(const LabelPlan& plan, const PatchVerdict
 	if (works == 0)
 		throw PlacementConflict{"rounded coordinates spoil the label", space_.project(space_.toLabel(verdict.place))};
 	const double height = std::abs(options_.height);
-	throw Error(verdict.fault == PatchFault::CrossesPart ? ErrorCode::HitsSurface : ErrorCode::HitsItself,
-	            "the extrusion meets a surface")
+	const bool hitsItself = verdict.fault == PatchFault::CrossesSelf || verdict.fault == PatchFault::Folded;
+	throw Error(hitsItself ? ErrorCode::HitsItself : ErrorCode::HitsSurface, "the extrusion meets a surface")
 		.atFace(verdict.face)
 		.atPlace(verdict.place)
 		.measured(height, height * works);

@@ -18,6 +18,7 @@
 
 #include <array>
 #include <cstdint>
+#include <utility>
 #include <vcg/complex/complex.h>
 #include <vector>
 
@@ -47,6 +48,8 @@ struct Sheet {
 	bool mayFlip = true;                      ///< false when faces carry attributes that a flipped edge would smear
 	std::vector<int> flipped;                 ///< triangles changed by FlipCaps (cut_repair.h), ascending
 	double largestCoordinate = 0;             ///< of the candidates' mesh coordinates, in absolute value
+	double extent = 0;                        ///< world units: diagonal of the box of all finite vertices of the mesh
+	bool isEmpty = true;                      ///< no face of the mesh has three finite vertices
 	bool reachesBehindCamera = false;         ///< some triangle of the mesh reaches behind the centre of projection
 
 	static int Next(int h) { return h % 3 == 2 ? h - 2 : h + 1; }
@@ -88,10 +91,9 @@ namespace detail {
 
 enum OutCode : std::uint8_t { Left = 1, Right = 2, Below = 4, Above = 8, Unusable = 16, BehindCamera = 32 };
 
-inline std::uint8_t OutCodeOf(const LabelSpace& space, const PlaneBox& box, const vcg::Point3d& mesh)
+/// Where a finite point of label space is seen, against a box.
+inline std::uint8_t OutCodeOf(const LabelSpace& space, const PlaneBox& box, const vcg::Point3d& q)
 {
-	const vcg::Point3d q = space.toLabel(mesh);
-	if (!IsFinite(q)) return Unusable;
 	if (!space.isInFront(q)) return Unusable | BehindCamera;
 	const vcg::Point2d p = space.project(q);
 	return std::uint8_t((p[0] < box.low[0]    ? Left
@@ -146,45 +148,71 @@ inline void BuildVertexFans(Sheet& sheet)
 
 }  // namespace detail
 
-/// Collect the triangles whose projection meets a box of the label plane; one linear pass over vertices and faces.
-/// @return candidates in order of their face index; triangles with a vertex that is not finite or lies behind the centre of
-///         projection are left out
-template <class MeshType>
-Sheet CollectSheet(const MeshType& m, const LabelSpace& space, const PlaneBox& box)
-{
-	const auto pointOf = [&](size_t v) {
-		const auto& p = m.vert[v].cP();
-		return vcg::Point3d(double(p[0]), double(p[1]), double(p[2]));
-	};
-	std::vector<std::uint8_t> code(m.vert.size(), detail::Unusable);
-	for (size_t v = 0; v < m.vert.size(); ++v)
-		if (!m.vert[v].IsD()) code[v] = detail::OutCodeOf(space, box, pointOf(v));
+namespace detail {
 
-	Sheet sheet;
-	sheet.mayFlip = !vcg::tri::HasPerWedgeTexCoord(m) && !vcg::tri::HasPerFaceColor(m);
-	std::vector<std::array<int, 3>> corners;
+template <class MeshType>
+vcg::Point3d PointOf(const MeshType& m, size_t vertex)
+{
+	const auto& p = m.vert[vertex].cP();
+	return {double(p[0]), double(p[1]), double(p[2])};
+}
+
+/// One pass over the vertices: where each is seen, and the extent of them all.
+template <class MeshType>
+std::vector<std::uint8_t> CodeVertices(const MeshType& m, const LabelSpace& space, const PlaneBox& box, Sheet& sheet)
+{
+	std::vector<std::uint8_t> code(m.vert.size(), Unusable);
+	vcg::Point3d low(0, 0, 0), high(0, 0, 0);
+	bool any = false;
+	for (size_t v = 0; v < m.vert.size(); ++v) {
+		if (m.vert[v].IsD()) continue;
+		const vcg::Point3d q = space.toLabel(PointOf(m, v));
+		if (!IsFinite(q)) continue;
+		code[v] = OutCodeOf(space, box, q);
+		if (!std::exchange(any, true)) low = high = q;
+		for (int i = 0; i < 3; ++i) {
+			low[i] = std::min(low[i], q[i]);
+			high[i] = std::max(high[i], q[i]);
+		}
+	}
+	sheet.extent = (high - low).Norm();
+	return code;
+}
+
+/// One pass over the faces: those that may meet the box, with their mesh indices as corners.
+template <class MeshType>
+void CollectTriangles(const MeshType& m, const LabelSpace& space, const std::vector<std::uint8_t>& code, Sheet& sheet)
+{
+	const auto* first = m.vert.data();
 	for (size_t f = 0; f < m.face.size(); ++f) {
 		if (m.face[f].IsD()) continue;
 		std::array<int, 3> v;
-		for (int k = 0; k < 3; ++k) v[size_t(k)] = int(m.face[f].cV(k) - &m.vert[0]);
-		if (space.mirrors()) std::swap(v[1], v[2]);
+		for (int k = 0; k < 3; ++k) v[size_t(k)] = int(m.face[f].cV(k) - first);
 		const std::uint8_t a = code[size_t(v[0])], b = code[size_t(v[1])], c = code[size_t(v[2])];
-		if ((a | b | c) & detail::Unusable) {
-			if (((a | b | c) & detail::BehindCamera) && !(a & b & c & detail::BehindCamera))
-				sheet.reachesBehindCamera = true;
+		if ((a | b | c) & Unusable) {
+			const bool straddles = ((a | b | c) & BehindCamera) && !(a & b & c & BehindCamera);
+			sheet.reachesBehindCamera = sheet.reachesBehindCamera || straddles;
 			continue;
 		}
+		sheet.isEmpty = false;
 		if (a & b & c) continue;
-		corners.push_back(v);
+		if (space.mirrors()) std::swap(v[1], v[2]);
 		sheet.triangles.push_back({v, int(f), false});
 	}
+}
+
+/// The vertices of the candidates, numbered anew in the order of the mesh.
+template <class MeshType>
+void CollectVertices(const MeshType& m, const LabelSpace& space, Sheet& sheet)
+{
 	std::vector<int> used;
-	used.reserve(corners.size() * 3);
-	for (const auto& v : corners) used.insert(used.end(), v.begin(), v.end());
+	used.reserve(sheet.triangles.size() * 3);
+	for (const SheetTriangle& t : sheet.triangles) used.insert(used.end(), t.vertex.begin(), t.vertex.end());
 	std::sort(used.begin(), used.end());
 	used.erase(std::unique(used.begin(), used.end()), used.end());
+	sheet.vertices.reserve(used.size());
 	for (const int index : used) {
-		const vcg::Point3d p = pointOf(size_t(index)), q = space.toLabel(p);
+		const vcg::Point3d p = PointOf(m, size_t(index)), q = space.toLabel(p);
 		sheet.vertices.push_back({p, q, space.project(q), index});
 		for (int i = 0; i < 3; ++i) sheet.largestCoordinate = std::max(sheet.largestCoordinate, std::abs(p[i]));
 	}
@@ -192,6 +220,21 @@ Sheet CollectSheet(const MeshType& m, const LabelSpace& space, const PlaneBox& b
 		for (int& v : t.vertex) v = int(std::lower_bound(used.begin(), used.end(), v) - used.begin());
 		t.facing = Orient2d(sheet.plane(t.vertex[0]), sheet.plane(t.vertex[1]), sheet.plane(t.vertex[2])) > 0;
 	}
+}
+
+}  // namespace detail
+
+/// Collect the triangles whose projection meets a box of the label plane; one linear pass over vertices and faces.
+/// @return candidates in order of their face index; triangles with a vertex that is not finite or lies behind the centre
+///         of projection are left out
+template <class MeshType>
+Sheet CollectSheet(const MeshType& m, const LabelSpace& space, const PlaneBox& box)
+{
+	Sheet sheet;
+	sheet.mayFlip = !vcg::tri::HasPerWedgeTexCoord(m) && !vcg::tri::HasPerFaceColor(m);
+	const std::vector<std::uint8_t> code = detail::CodeVertices(m, space, box, sheet);
+	detail::CollectTriangles(m, space, code, sheet);
+	detail::CollectVertices(m, space, sheet);
 	detail::PairHalfEdges(sheet);
 	detail::BuildVertexFans(sheet);
 	return sheet;

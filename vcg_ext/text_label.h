@@ -7,6 +7,7 @@
 // (label_clearance.h) -> raised (label_raise.h) -> checked on rounded coordinates (patch_check.h) -> written (patch_commit.h).
 // Until the last step the mesh is only read.
 
+#include "contour_check.h"
 #include "label_plan.h"
 #include "patch_commit.h"
 
@@ -115,6 +116,9 @@ LabelResult LabelMesh(MeshType& m, const Outline& outline, const LabelFrame& fra
 	PlaneBox box = detail::CheckedBox(outline);
 	box.grow(std::abs(options.height) + (box.width() + box.height()) * 1e-3);
 	Sheet sheet = CollectSheet(m, space, box);
+	if (sheet.isEmpty && !sheet.reachesBehindCamera) throw Error(ErrorCode::EmptyMesh, "no face with finite corners");
+	if (std::abs(options.height) > sheet.extent)
+		throw Error(ErrorCode::BadHeight, "larger than the part").measured(std::abs(options.height), sheet.extent);
 
 	constexpr bool isDouble = std::is_same_v<typename MeshType::ScalarType, double>;
 	LabelPlan plan;
@@ -128,6 +132,8 @@ LabelResult LabelMesh(MeshType& m, const Outline& outline, const LabelFrame& fra
 			survivesFloat32 = false;
 		}
 	} catch (Error& e) {
+		RequireGoodOutline(
+			outline);  // a wrong outline runs into anything; looked at only now, since a good one needs no look
 		if (e.letter < 0 && e.hasPlace) e.letter = detail::NearestLetter(space, outline, e.place);
 		throw;
 	}
