@@ -105,8 +105,9 @@ input=${files[0]} output=${files[1]}
 if [ -n "$camera" ]; then
 	[ -z "$placement" ] || wrong "--camera and --at say two different places"
 	[ -f "$camera" ] && [ -r "$camera" ] || refuse "The camera file '$camera' cannot be read. Give the text that MeshLab copied, as a file."
+	camera=$(iconv -f UTF-8 -t UTF-8 -- "$camera" 2>/dev/null | tr -d '\0') || refuse "The camera file '${camera}' is no text. Give what MeshLab copied."
 	placement=camera
-	parameters+=("camera=$(tr -d '\0' <"$camera")")
+	parameters+=("camera=$camera")
 fi
 parameters=("placement=${placement:-automatic}" "${parameters[@]}" "text=${files[2]}")
 
@@ -164,13 +165,15 @@ make_meshlab_tree "$work/tree" meshlabserver "$plugin" 'libio_*.so'
 start_display "$work" 64x64x24 || refuse "MeshLab needs a virtual display. Install Xvfb (Debian: xvfb)."
 status=0
 # The plain name of the output is for MeshLab; the true one may hold anything.
-LC_ALL=C.UTF-8 XDG_RUNTIME_DIR="$work" "$work/tree/bin/meshlabserver" -i "$(absolute "$input")" -s "$work/label.mlx" \
-	-o "$work/labelled.$ending" ${carried[@]:+-m "${carried[@]}"} >"$work/log" 2>"$work/errors" || status=$?
+{
+	LC_ALL=C.UTF-8 XDG_RUNTIME_DIR="$work" "$work/tree/bin/meshlabserver" -i "$(absolute "$input")" -s "$work/label.mlx" \
+		-o "$work/labelled.$ending" ${carried[@]:+-m "${carried[@]}"} >"$work/log" 2>"$work/errors" || status=$?
+} 2>/dev/null  # what the shell says about a program that aborts
 reason=$(sed -n 's/^.*Text Label: \([^{]\)/\1/p' "$work/errors" | head -n 1)
 [ -z "$reason" ] || refuse "$reason"
 if [ ! -s "$work/labelled.$ending" ] || [ $status -ne 0 ]; then
 	cat "$work/log" "$work/errors" >&2
-	if grep -q "not possible to import mesh" "$work/log"; then refuse "MeshLab cannot read the mesh '$input'. Check that it is what its ending says."; fi
+	if ! grep -qa "^Mesh .* loaded has" "$work/log"; then refuse "MeshLab cannot read the mesh '$input'. Check that it is what its ending says."; fi
 	if [ $status -eq 0 ]; then refuse "MeshLab cannot write the format '$ending'. Use .stl, .ply, .obj or .off."; fi
 	refuse "MeshLab ended unexpectedly (status $status, see above)."
 fi

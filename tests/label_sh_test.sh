@@ -1,0 +1,288 @@
+#!/usr/bin/env bash
+# label.sh through the real meshlabserver: labels are measured, refusals say why and leave everything as it was.
+set -uo pipefail
+for tool in meshlabserver Xvfb admesh; do
+	command -v $tool >/dev/null || { echo "skipped: $tool is not installed"; exit 77; }
+done
+label=$TEXTLABEL_SOURCE_DIR/filter_textlabel/label.sh
+judge=$TEXTLABEL_SOURCE_DIR/tests/oracle_admesh.sh
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+cd "$work" || exit 1
+failures=0
+fail() {
+	echo "FAILED: $*" >&2
+	[ ! -s said ] || sed 's/^/    /' said >&2
+	failures=$((failures + 1))
+}
+
+# ---- meshes
+
+box() { # NAME WIDTH DEPTH HEIGHT
+	cat >"$1" <<-END
+		OFF
+		8 12 0
+		0 0 0
+		$2 0 0
+		$2 $3 0
+		0 $3 0
+		0 0 $4
+		$2 0 $4
+		$2 $3 $4
+		0 $3 $4
+		3 0 2 1
+		3 0 3 2
+		3 4 5 6
+		3 4 6 7
+		3 0 1 5
+		3 0 5 4
+		3 1 2 6
+		3 1 6 5
+		3 2 3 7
+		3 2 7 6
+		3 3 0 4
+		3 3 4 7
+	END
+}
+box box.off 60 40 10
+# A fin stands on the diagonal of the box's top: an edge of three faces.
+sed -e '2s/.*/9 13 0/' -e '10a 30 20 15' box.off >fin.off && echo "3 4 6 8" >>fin.off
+# The top is a frame around an open hole of 20 x 10.
+cat >hole.off <<-END
+	OFF
+	12 18 0
+	0 0 0
+	60 0 0
+	60 40 0
+	0 40 0
+	0 0 10
+	60 0 10
+	60 40 10
+	0 40 10
+	20 15 10
+	40 15 10
+	40 25 10
+	20 25 10
+	3 0 2 1
+	3 0 3 2
+	3 0 1 5
+	3 0 5 4
+	3 1 2 6
+	3 1 6 5
+	3 2 3 7
+	3 2 7 6
+	3 3 0 4
+	3 3 4 7
+	3 4 5 9
+	3 4 9 8
+	3 5 6 10
+	3 5 10 9
+	3 6 7 11
+	3 6 11 10
+	3 7 4 8
+	3 7 8 11
+END
+# A block with a V-shaped groove along y: slopes from (0, 60) and (60, 60) down to (30, 5).
+cat >groove.off <<-END
+	OFF
+	10 16 0
+	0 0 0
+	60 0 0
+	60 0 60
+	30 0 5
+	0 0 60
+	0 80 0
+	60 80 0
+	60 80 60
+	30 80 5
+	0 80 60
+	3 0 1 3
+	3 1 2 3
+	3 0 3 4
+	3 5 8 6
+	3 6 8 7
+	3 5 9 8
+	3 0 5 6
+	3 0 6 1
+	3 1 6 7
+	3 1 7 2
+	3 2 7 8
+	3 2 8 3
+	3 3 8 9
+	3 3 9 4
+	3 4 9 5
+	3 4 5 0
+END
+printf 'OFF\n8 6 0\n0 0 0\n60 0 0\n60 40 0\n0 40 0\n0 0 10\n60 0 10\n60 40 10\n0 40 10\n' >quads.off
+printf '4 3 2 1 0\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n' >>quads.off
+printf 'ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nend_header\n0 0 0\n1 0 0\n0 1 0\n' >cloud.ply
+printf 'OFF\n0 0 0\n' >empty.off
+printf 'this is no mesh\n' >nonsense.stl
+printf 'this is no font\n' >nonsense.ttf
+
+# camera FILE X Y Z [TYPE]: a copied camera at (X, Y, Z) that looks down, as MeshLab writes it
+camera() {
+	cat >"$1" <<-END
+		<!DOCTYPE ViewState>
+		<project>
+		 <VCGCamera TranslationVector="$(echo "$2 $3 $4" | awk '{ print -$1, -$2, -$3 }') 1" LensDistortion="0 0" ViewportPx="800 600" PixelSizeMm="0.0369161 0.0369161" CenterPx="400 300" FocalMm="19.1807" CameraType="${5:-0}" BinaryData="0" RotationMatrix="1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1 "/>
+		 <ViewSettings NearPlane="0.1" TrackScale="0.03" FarPlane="10"/>
+		</project>
+	END
+}
+
+# ---- what should work
+
+# number KEY: a number of report.json
+number() { sed -n "s/.*\"$1\":\([-+.0-9e]*\).*/\1/p" report.json; }
+
+# about A B TOLERANCE: |A - B| <= TOLERANCE
+about() { awk -v a="$1" -v b="$2" -v t="$3" 'BEGIN { d = a - b; exit !((d < 0 ? -d : d) <= t) }'; }
+
+works() { # OUTPUT ARGUMENTS OF label.sh: run, and check the exit
+	rm -f report.json "$1"
+	"$label" --report report.json "${@:2}" >said 2>&1 || { fail "exit $? of label.sh ${*:2}"; return 1; }
+	[ -s "$1" ] || { fail "no $1 from label.sh ${*:2}"; return 1; }
+}
+
+# sound FILE.stl: closed, nothing to repair, by admesh
+sound() {
+	bash "$judge" "$1" >judged || { fail "admesh cannot read $1"; return; }
+	if grep -qvE '^(faces|faces_left|parts|volume)=|=0$' judged; then
+		fail "admesh had to repair $1: $(tr '\n' ' ' <judged)"
+	fi
+}
+
+for style in emboss engrave; do
+	sign=1
+	[ $style = emboss ] || sign=-1
+	if works out.stl --style $style --size 8 --depth 0.5 --at 30,20,10 box.off out.stl 'A43 %&@'; then
+		sound out.stl
+		wanted=$(awk -v a="$(number label_area)" -v s=$sign 'BEGIN { print 60 * 40 * 10 + s * a * 0.5 }')
+		volume=$(sed -n 's/^volume=//p' judged)
+		about "$volume" "$wanted" 0.05 || fail "$style: volume $volume by admesh, $wanted from the letters' area"
+		about "$(number volume_after)" "$wanted" 0.01 || fail "$style: volume $(number volume_after) in the report"
+	fi
+done
+
+if works out.obj --style flat --color 12ab34 --size 8 --at 30,20,10 box.off out.obj 'A43'; then
+	# area of the faces that have the label's colour, from the two files alone
+	area=$(awk '
+		FNR == NR { if ($1 == "newmtl") name = $2; if ($1 == "Kd") color[name] = $2 " " $3 " " $4; next }
+		$1 == "v" { n++; x[n] = $2; y[n] = $3; z[n] = $4 }
+		$1 == "usemtl" { now = color[$2] }
+		$1 == "f" {
+			split($2, a, "/"); split($3, b, "/"); split($4, c, "/"); i = a[1]; j = b[1]; k = c[1]
+			twice = (x[j] - x[i]) * (y[k] - y[i]) - (x[k] - x[i]) * (y[j] - y[i])
+			if (now == wanted && z[i] == 10 && z[j] == 10 && z[k] == 10) sum += twice / 2
+		}
+		END { print sum + 0 }' wanted="0.070588 0.670588 0.203922" out.obj.mtl out.obj)
+	about "$area" "$(number label_area)" 0.001 || fail "flat: $area is coloured, the letters have $(number label_area)"
+	about "$(number volume_after)" 24000 0.001 || fail "flat: the volume became $(number volume_after)"
+fi
+
+camera above.xml 30 20 110
+if works out.stl --camera above.xml --size 8 --depth 0.5 box.off out.stl 'A43'; then
+	sound out.stl
+	grep -q '"anchor":\[30,20,10\]' report.json || fail "the camera looks at (30, 20, 10), the report says $(grep -o '"anchor":[^]]*' report.json)"
+	# Towards a viewpoint 100 above, letters of height h lose (1 - h' / 100)^2 of their area on the way up; h' is the height along z.
+	added=$(awk -v a="$(number label_area)" 'BEGIN { print a * 0.5 }')
+	about "$(number volume_after)" "$(awk -v v="$added" 'BEGIN { print 24000 + v }')" "$(awk -v v="$added" 'BEGIN { print v * 0.02 }')" ||
+		fail "camera: volume $(number volume_after)"
+fi
+
+# The same request gives the same bytes, and no placement at all is one.
+works out.stl box.off out.stl 'A43' && cp out.stl first.stl && works out.stl box.off out.stl 'A43' && sound out.stl
+cmp -s first.stl out.stl || fail "two runs differ"
+
+# Names and texts are taken as they are.
+mkdir "a \"b\" <&>'c' ä漢"
+odd="a \"b\" <&>'c' ä漢/-p \$x;#.off"
+cp box.off "$odd"
+if works "${odd%.off} 2.stl" --size 5 -- "$odd" "${odd%.off} 2.stl" $'<&>"\'Äß\\n€ --x'; then
+	sound "${odd%.off} 2.stl"
+	grep -qF '"text":"<&>\"'"'"'Äß\\n€ --x"' report.json || fail "the text arrived as $(grep -o '"text":.*"font"' report.json)"
+fi
+works out.ply --size 5 --outline flat.svg --picture picture.png box.off out.ply -- '-5'
+grep -q '<svg' flat.svg 2>/dev/null || fail "no outline"
+[ "$(head -c 8 picture.png 2>/dev/null | od -An -tx1 | tr -d ' \n')" = 89504e470d0a1a0a ] || fail "no picture"
+
+# Colours of the input are still there.
+sed -e 's/^OFF/COFF/' -e '3,10s/$/ 10 20 30 255/' box.off >colored.off
+works colored.ply --size 5 colored.off colored.ply 'A' && head -c 400 colored.ply | grep -qa 'property uchar red' || fail "vertex colours are lost"
+
+# ---- what must be refused
+
+# refused STATUS "PATTERN" ARGUMENTS: the exit status, a message that matches, and nothing written or changed
+refused() {
+	local status=$1 pattern=$2 before after code
+	shift 2
+	rm -f out.stl
+	before=$(find . -type f ! -name said -exec cksum {} + | sort)
+	"$label" "$@" >said 2>&1
+	code=$?
+	after=$(find . -type f ! -name said -exec cksum {} + | sort)
+	[ $code -eq "$status" ] || fail "exit $code instead of $status: label.sh $*"
+	grep -qE -- "$pattern" said || fail "the message does not match '$pattern': label.sh $*"
+	[ "$before" = "$after" ] || fail "files changed: label.sh $*"
+}
+
+refused 2 'INPUT, OUTPUT and TEXT' box.off out.stl
+refused 2 'no option --sise' --sise 3 box.off out.stl A
+refused 2 'needs a value' box.off out.stl A --size
+refused 2 "'abc' of size" --size abc box.off out.stl A
+refused 2 "'1,2' of position" --at 1,2 box.off out.stl A
+refused 2 "'bold' of style" --style bold box.off out.stl A
+refused 2 "no parameter 'colour'" --set colour=red box.off out.stl A
+
+refused 1 'cannot be read' no.off out.stl A
+refused 1 'cannot read the mesh' nonsense.stl out.stl A
+refused 1 'does not exist' box.off nowhere/out.stl A
+refused 1 'cannot be (written|made)' box.off /proc/out.stl A
+refused 1 'is a folder' box.off "$work" A
+refused 1 'format' box.off out.xyzzy A
+
+at=(--at 30,20,10 --size 8 --depth 0.5)
+refused 1 '[Tt]ext' "${at[@]}" box.off out.stl ''
+refused 1 '[Tt]ext' "${at[@]}" box.off out.stl '   '
+refused 1 'U\+0B95.*U\+10CCC' "${at[@]}" box.off out.stl 'A க 𐳌'
+refused 1 'nosuchfont' "${at[@]}" --font 'nosuchfont' box.off out.stl A
+refused 1 'nonsense.ttf' "${at[@]}" --font nonsense.ttf box.off out.stl A
+for value in 0 -2 nan inf; do
+	refused 1 "size is (0|-2|nan|inf)\." --at 30,20,10 --size $value box.off out.stl A
+	refused 1 "depth is (0|-2|nan|inf)\." --at 30,20,10 --depth $value box.off out.stl A
+done
+refused 1 'size is 500, larger than the part.*72\.8' --at 30,20,10 --size 500 box.off out.stl A
+refused 1 'depth is 500, larger than the part.*72\.8' --at 30,20,10 --depth 500 box.off out.stl A
+refused 1 'No face looks to the viewer' --at 300,20,10 box.off out.stl A
+refused 1 "letter 'M' .*(silhouette|beside the surface|border) .*\((60|6[0-9.]+|5[0-9.]+), [0-9.]+, 10\)" --at 50,20,10 --size 8 box.off out.stl WIM
+refused 1 "border or a hole.*near \(.*, 10\)" --at 30,10,10 --size 12 hole.off out.stl A43
+refused 1 'not manifold.*near \(.*, 10\)' "${at[@]}" fin.off out.stl A43
+refused 1 'direction is zero' --at 30,20,10 --direction 0,0,0 box.off out.stl A
+refused 1 'up is parallel' --at 30,20,10 --direction 0,0,2 --up 0,0,-1 box.off out.stl A
+refused 1 'no (faces|mesh)|cannot read' empty.off out.stl A
+refused 1 'no faces' cloud.ply out.stl A
+refused 1 'more than three corners' "${at[@]}" quads.off out.stl A
+refused 1 'there is room for (9\.[0-9]+|10)[^0-9]' --at 30,20,10 --size 8 --style engrave --depth 12 box.off out.stl A
+refused 1 'another part of the surface|fold' --at 15,40,32.5 --size 8 --depth 60 --along surface groove.off out.stl A
+
+camera inside.xml 30 20 5
+camera beside.xml 300 20 110
+camera below.xml 30 20 -50
+sed 's/<project>//' above.xml >broken.xml
+sed 's/ RotationMatrix="[^"]*"//' above.xml >incomplete.xml
+sed 's/RotationMatrix="1 0/RotationMatrix="3 0/' above.xml >scaled.xml
+printf '<a/>' >other.xml
+printf '\xff\xfe\x00<' >bytes.xml
+refused 1 'inside' --camera inside.xml box.off out.stl A
+refused 1 'meets no part' --camera beside.xml box.off out.stl A
+refused 1 'meets no part' --camera below.xml box.off out.stl A
+refused 1 'no text|not XML' --camera bytes.xml box.off out.stl A
+refused 1 'VCGCamera|not XML' --camera other.xml box.off out.stl A
+refused 1 'RotationMatrix is missing' --camera incomplete.xml box.off out.stl A
+refused 1 'not a rotation' --camera scaled.xml box.off out.stl A
+refused 1 'Current view needs' --set placement=current box.off out.stl A
+refused 1 'not be written|cannot be written' "${at[@]}" --report nowhere/report.json box.off out.stl A
+
+[ $failures -eq 0 ] && echo "all as it should be"
+exit $((failures > 0))
