@@ -173,18 +173,13 @@ Affine ClusterPlace(double x, double baseline, double arcRadius)
 	return {c, s, -s, c, radius * s, baseline + sink};
 }
 
-/// Does a line fit on its arc? The baseline may go round once; letters that hang in a circle need room for their height.
-void CheckArc(double width, double baseline, const LayoutOptions& options, double capitalHeight)
+/// Smallest radius of the first baseline at which a line fits on its arc: it may go round once, and letters that hang in a
+/// circle need room for their height.
+double LeastRadius(double width, double baseline, bool hanging, double capitalHeight)
 {
-	if (options.arcRadius == 0) return;
-	const double inner = options.arcRadius > 0 ? 0 : capitalHeight;
-	const double least = std::max(width / (2 * kPi), inner);
-	const double radius = std::copysign(1.0, options.arcRadius) * (options.arcRadius + baseline);
-	if (radius < least || radius <= 0) {
-		// below the first line, an arc that is stood on gets tighter, one that is hung in gets wider
-		const double needed = options.arcRadius > 0 ? least - baseline : -(least + baseline);
-		throw TextError(TextErrorCode::BadArc).measured(options.arcRadius, needed);
-	}
+	const double least = std::max(width / (2 * kPi), hanging ? capitalHeight : 0);
+	// below the first line, an arc that is stood on gets tighter, one that is hung in gets wider
+	return hanging ? least + baseline : least - baseline;
 }
 
 }  // namespace
@@ -201,10 +196,12 @@ std::vector<PlacedGlyph> Layout(const std::vector<ShapedLine>& lines, const Font
 	const Setter setter(fonts, options);
 	const Affine form = FormOf(options);
 	std::vector<PlacedGlyph> placed;
+	double leastRadius = 0;
 	for (std::size_t k = 0; k < lines.size(); ++k) {
 		const SetLine line = setter.set(lines[k]);
 		const double baseline = -static_cast<double>(k) * options.lineSpacing * fonts.main().lineHeight() * options.em;
-		CheckArc(line.width, baseline, options, fonts.main().capitalHeight() * options.em);
+		const double capitalHeight = fonts.main().capitalHeight() * options.em;
+		leastRadius = std::max(leastRadius, LeastRadius(line.width, baseline, options.arcRadius < 0, capitalHeight));
 		const double start = LineStart(options.align, line.width);
 		for (const Cluster& cluster : line.clusters) {
 			const Affine place = ClusterPlace(start + cluster.x + cluster.advance / 2, baseline, options.arcRadius);
@@ -218,6 +215,8 @@ std::vector<PlacedGlyph> Layout(const std::vector<ShapedLine>& lines, const Font
 			}
 		}
 	}
+	if (options.arcRadius != 0 && std::abs(options.arcRadius) < leastRadius)
+		throw TextError(TextErrorCode::BadArc).measured(options.arcRadius, leastRadius);
 	return placed;
 }
 

@@ -1,0 +1,398 @@
+// Text to outline, end to end: sizes and places measured on the outline, what every option does, and that every wrong input is
+// the error that says so.
+
+#include "text_outline.h"
+
+#include <clocale>
+#include <cmath>
+#include <functional>
+#include <gtest/gtest.h>
+#include <limits>
+#include <thread>
+#include "text_support.h"
+
+using namespace textlabel;
+using text_support::FlawOf;
+using vcg::Point2d;
+using vcg::textlabel::Contour;
+
+namespace {
+
+TextOutline Made(const std::string& text, const std::function<void(TextOptions&)>& set = {})
+{
+	TextOptions options;
+	if (set) set(options);
+	TextOutline result = MakeTextOutline(text, options);
+	EXPECT_EQ(FlawOf(result.outline), "") << text;
+	return result;
+}
+
+double Width(const TextOutline& t) { return t.boxMax[0] - t.boxMin[0]; }
+double Height(const TextOutline& t) { return t.boxMax[1] - t.boxMin[1]; }
+
+std::size_t PointCount(const TextOutline& t)
+{
+	std::size_t count = 0;
+	for (const Contour& c : t.outline.contours) count += c.points.size();
+	return count;
+}
+
+/// The error that a call throws, or a failure.
+TextError ErrorOf(const std::string& text, const TextOptions& options)
+{
+	try {
+		MakeTextOutline(text, options);
+	} catch (const TextError& e) {
+		EXPECT_GT(Sentence(e).size(), 20u) << "a sentence says what, where and the remedy";
+		return e;
+	}
+	ADD_FAILURE() << "no error for " << text;
+	return TextError(TextErrorCode::Unsound);
+}
+
+TextErrorCode CodeOf(const std::string& text, const std::function<void(TextOptions&)>& set = {})
+{
+	TextOptions options;
+	if (set) set(options);
+	return ErrorOf(text, options).code;
+}
+
+bool IsInstalled(const std::string& font)
+{
+	TextOptions options;
+	options.font = font;
+	try {
+		MakeTextOutline("x", options);
+	} catch (const TextError& e) {
+		return e.code != TextErrorCode::FontNotFound && e.code != TextErrorCode::FontSubstituted;
+	}
+	return true;
+}
+
+TEST(TextOutline, CapitalHeightIsTheSize)
+{
+	for (const double size : {0.01, 1.0, 10.0, 12345.0}) {
+		const TextOutline t = Made("HHEI", [size](TextOptions& o) { o.size = size; });
+		EXPECT_NEAR(Height(t), size, 1e-7 * size)
+			<< "the letters' ends are straight: the grid's rounding is the only error";
+		EXPECT_EQ(t.capitalHeight, size);
+	}
+	for (const char* font :
+	     {"Liberation Serif", "Inter:wght=650", "Roboto", "Amiri", "Noto Sans CJK JP", "osifont", "Routed Gothic"}) {
+		if (!IsInstalled(font)) continue;
+		const TextOutline t = Made("H", [font](TextOptions& o) { o.font = font, o.anchor = Anchor::Baseline; });
+		EXPECT_NEAR(t.boxMax[1], 10, t.tolerance) << font;
+	}
+}
+
+TEST(TextOutline, CountsWhatA43Has)
+{
+	const TextOutline t = Made("A43");
+	EXPECT_EQ(t.letters, (std::vector<std::string>{"A", "4", "3"}));
+	EXPECT_EQ(t.outline.contours.size(), 5u) << "A and 4 have a hole each";
+	EXPECT_EQ(t.outline.partCount, 3);
+	for (const Contour& c : t.outline.contours) EXPECT_EQ(c.part, c.letter);
+	EXPECT_LT(PointCount(t), 120u);
+}
+
+TEST(TextOutline, NestedIslandsAreParts)
+{
+	const TextOutline registered = Made("®");
+	EXPECT_EQ(registered.outline.contours.size(), 4u) << "ring, its hole, the R in it, the R's hole";
+	EXPECT_EQ(registered.outline.partCount, 2);
+	const TextOutline bullseye = Made("◎");
+	EXPECT_EQ(bullseye.outline.contours.size(), 4u);
+	EXPECT_EQ(bullseye.outline.partCount, 2);
+	EXPECT_EQ(Made("i").outline.partCount, 2) << "the dot is a part of its own";
+}
+
+TEST(TextOutline, IsCentredOnItsInk)
+{
+	const TextOutline t = Made("Hxg\nlonger line");
+	EXPECT_NEAR(t.boxMin[0] + t.boxMax[0], 0, 2 * t.tolerance);
+	EXPECT_NEAR(t.boxMin[1] + t.boxMax[1], 0, 2 * t.tolerance);
+}
+
+TEST(TextOutline, AnchorsPutTheInkWhereTheySay)
+{
+	const TextOutline base = Made("HgH", [](TextOptions& o) { o.anchor = Anchor::Baseline; });
+	EXPECT_NEAR(base.boxMax[1], 10, base.tolerance) << "capitals stand on v = 0";
+	EXPECT_LT(base.boxMin[1], -1) << "the g hangs below";
+	EXPECT_NEAR(Made("HgH", [](TextOptions& o) { o.anchor = Anchor::Top; }).boxMax[1], 0, 1e-6);
+	EXPECT_NEAR(Made("HH", [](TextOptions& o) { o.align = Align::Left; }).boxMin[0], 0, 1e-6);
+	EXPECT_NEAR(Made("HH", [](TextOptions& o) { o.align = Align::Right; }).boxMax[0], 0, 1e-6);
+	EXPECT_NEAR(Made("HH", [](TextOptions& o) { o.align = Align::Right, o.embolden = 0.2; }).boxMax[0], 0, 1e-6);
+}
+
+TEST(TextOutline, LinesAreAlignedToEachOther)
+{
+	const auto lefts = [](Align align) {
+		const TextOutline t = Made("HHHH\nH", [align](TextOptions& o) { o.align = align; });
+		double upper = 1e9, lower = 1e9;
+		for (const Contour& c : t.outline.contours) {
+			for (const Point2d& p : c.points)
+				(c.letter < 4 ? upper : lower) = std::min(c.letter < 4 ? upper : lower, p[0]);
+		}
+		return lower - upper;
+	};
+	EXPECT_NEAR(lefts(Align::Left), 0, 1e-6);
+	EXPECT_NEAR(lefts(Align::Right), 2 * lefts(Align::Center), 1e-5);
+	EXPECT_GT(lefts(Align::Right), 10);
+}
+
+TEST(TextOutline, LineSpacingIsProportional)
+{
+	const auto height = [](double spacing) {
+		return Height(Made("H\nH", [spacing](TextOptions& o) { o.lineSpacing = spacing; }));
+	};
+	EXPECT_NEAR(height(2) - height(1), height(3) - height(2), 1e-6);
+	EXPECT_GT(height(1), 20) << "lines do not touch";
+}
+
+TEST(TextOutline, LetterSpacingAddsBetweenLettersOnly)
+{
+	const auto width = [](double s) { return Width(Made("HHH", [s](TextOptions& o) { o.letterSpacing = s; })); };
+	EXPECT_NEAR(width(0.5) - width(0), 2 * 0.5 * 10, 1e-6);
+}
+
+TEST(TextOutline, LetterSpacingUndoesLigatures)
+{
+	if (!IsInstalled("DejaVu Sans")) GTEST_SKIP() << "DejaVu Sans is not installed";
+	const auto letters = [](double s) {
+		return Made("ffi", [s](TextOptions& o) { o.font = "DejaVu Sans", o.letterSpacing = s; }).letters;
+	};
+	EXPECT_EQ(letters(0), std::vector<std::string>{"ffi"});
+	EXPECT_EQ(letters(0.2), (std::vector<std::string>{"f", "f", "i"}));
+}
+
+TEST(TextOutline, TabsStopAtEqualSteps)
+{
+	const auto left = [](const std::string& text) { return Made(text, [](TextOptions& o) { o.align = Align::Left; }); };
+	const TextOutline one = left("I\tI"), two = left("I\t\tI"), filled = left("HH\tI");
+	EXPECT_NEAR(Width(filled), Width(one), 1e-6) << "a tab goes to the next stop, wherever the text before it ends";
+	EXPECT_GT(Width(two), 1.5 * Width(one));
+	EXPECT_NEAR(Width(left("I\\tI")), Width(one), 1e-6) << "backslash and t is a tab too";
+}
+
+TEST(TextOutline, BackslashNAndRealBreaksBreakLines)
+{
+	const double height = Height(Made("H\nH"));
+	for (const char* text : {"H\\nH", "H\r\nH", "H\rH", "H\u2028H", "H  \\nH\t"})
+		EXPECT_EQ(Height(Made(text)), height) << text;
+	EXPECT_NEAR(Height(Made("H\\\\nH")), Height(Made("\\")), 5) << "a doubled backslash is one, and no break";
+	EXPECT_EQ(Made("H\\\\nH").letters, (std::vector<std::string>{"H", "\\", "n", "H"}));
+}
+
+TEST(TextOutline, FitsTheWidth)
+{
+	for (const double bold : {0.0, 0.4}) {
+		const TextOutline t = Made("HIT", [bold](TextOptions& o) { o.fitWidth = 77, o.embolden = bold; });
+		EXPECT_NEAR(Width(t), 77, 1e-5);
+		EXPECT_NEAR(Height(t), t.capitalHeight + 2 * bold, t.tolerance);
+	}
+	EXPECT_NEAR(Width(Made("Sog", [](TextOptions& o) { o.fitWidth = 5, o.letterSpacing = 0.3, o.slant = 12; })), 5,
+	            0.01);
+}
+
+TEST(TextOutline, SlantShearsAndKeepsArea)
+{
+	const TextOutline upright = Made("H"), slanted = Made("H", [](TextOptions&o) { o.slant = 20; });
+	EXPECT_NEAR(Area(slanted.outline), Area(upright.outline), 1e-5);
+	EXPECT_NEAR(Width(slanted) - Width(upright), 10 * std::tan(20 * 3.14159265358979 / 180), 1e-5);
+	EXPECT_NEAR(Height(slanted), 10, 1e-6);
+}
+
+TEST(TextOutline, EmboldenMovesTheOutline)
+{
+	const TextOutline plain = Made("I"), bold = Made("I", [](TextOptions&o) { o.embolden = 0.25; });
+	EXPECT_NEAR(Width(bold) - Width(plain), 0.5, 1e-5);
+	EXPECT_NEAR(Area(bold.outline), (Width(plain) + 0.5) * 10.5, 1e-4);
+}
+
+TEST(TextOutline, MirroredIsTheMirrorImage)
+{
+	const TextOutline plain = Made("R4"), mirrored = Made("R4", [](TextOptions&o) { o.mirrored = true; });
+	EXPECT_NEAR(Area(mirrored.outline), Area(plain.outline), 1e-4);
+	EXPECT_NEAR(mirrored.boxMin[0], -plain.boxMax[0], 1e-6);
+	EXPECT_EQ(PointCount(mirrored), PointCount(plain));
+}
+
+TEST(TextOutline, OnAnArcEveryLetterStandsOnTheCircle)
+{
+	for (const double radius : {40.0, -40.0}) {
+		const TextOutline t = Made("IIIIIIII", [radius](TextOptions& o) {
+			o.arcRadius = radius, o.anchor = Anchor::Baseline, o.letterSpacing = 0.6;
+		});
+		const Point2d centre((t.boxMin[0] + t.boxMax[0]) / 2, -radius);  // the baseline's top, or bottom, is at v = 0
+		for (const Contour& c : t.outline.contours) {
+			ASSERT_EQ(c.points.size(), 4u);
+			double least = 1e9, most = 0;
+			for (const Point2d& p : c.points) {
+				least = std::min(least, (p - centre).Norm());
+				most = std::max(most, (p - centre).Norm());
+			}
+			// the middle of a straight foot is on the circle, its corners a bit off
+			const double feet = radius > 0 ? least : most, heads = radius > 0 ? most : least;
+			EXPECT_NEAR(feet, 40, 0.05);
+			EXPECT_NEAR(heads, radius > 0 ? 50 : 30, 0.05);
+		}
+	}
+	const TextOutline flat = Made("Hop"), wide = Made("Hop", [](TextOptions&o) { o.arcRadius = 1e9; });
+	EXPECT_NEAR(Width(wide), Width(flat), 1e-5) << "a very wide arc is a straight line";
+	EXPECT_NEAR(Height(wide), Height(flat), 1e-5);
+}
+
+TEST(TextOutline, AnArcTooTightNamesTheOneThatDoes)
+{
+	TextOptions options;
+	options.arcRadius = 5;
+	options.arcRadius = ErrorOf("around and around", options).limit;
+	EXPECT_NO_THROW(MakeTextOutline("around and around", options));
+	options.arcRadius *= 0.99;
+	EXPECT_EQ(ErrorOf("around and around", options).code, TextErrorCode::BadArc);
+	options.arcRadius = -5;
+	options.arcRadius = -ErrorOf("hang\nlower", options).limit;
+	EXPECT_NO_THROW(MakeTextOutline("hang\nlower", options));
+}
+
+TEST(TextOutline, OverlappingLettersAreOneContour)
+{
+	EXPECT_EQ(Made("HH", [](TextOptions& o) { o.letterSpacing = -0.3; }).outline.partCount, 1);
+	EXPECT_EQ(Made("Å").outline.partCount, Made("A\u030A").outline.partCount);
+	if (!IsInstalled("Amiri")) GTEST_SKIP() << "Amiri is not installed";
+	EXPECT_EQ(Made("بسم", [](TextOptions& o) { o.font = "Amiri"; }).outline.partCount, 2)
+		<< "joined letters, and a dot";
+}
+
+TEST(TextOutline, MeasuresStrokesAndGaps)
+{
+	const TextOutline i = Made("I");
+	EXPECT_NEAR(i.thinnestStroke.width, Width(i), 1e-6);
+	EXPECT_EQ(i.narrowestGap.letter, -1) << "a lone stem has no gap";
+	const TextOutline two = Made("II"), bold = Made("II", [](TextOptions&o) { o.embolden = 0.1; });
+	EXPECT_NEAR(two.narrowestGap.width, Width(two) - 2 * Width(i), 1e-5);
+	EXPECT_NEAR(bold.narrowestGap.width, two.narrowestGap.width - 0.2, 1e-5);
+	EXPECT_NEAR(bold.thinnestStroke.width, i.thinnestStroke.width + 0.2, 1e-5);
+}
+
+TEST(TextOutline, TooThinNamesLettersAndTheSizeThatDoes)
+{
+	TextOptions options;
+	const TextOutline t = MakeTextOutline("I8", options);
+	options.minStroke = 1.2 * t.thinnestStroke.width;
+	const TextError error = ErrorOf("I8", options);
+	EXPECT_EQ(error.code, TextErrorCode::TooThin);
+	EXPECT_EQ(error.letters, std::vector<std::string>{"8"}) << "the stem of the I is thicker";
+	EXPECT_NEAR(error.size, 12, 0.1);
+	options.size = 1.01 * error.size;
+	EXPECT_NO_THROW(MakeTextOutline("I8", options));
+}
+
+TEST(TextOutline, ToleranceRulesTheNumberOfPoints)
+{
+	const auto count = [](double tolerance) {
+		return PointCount(Made("SO8", [tolerance](TextOptions& o) { o.tolerance = tolerance; }));
+	};
+	const double ratio = static_cast<double>(count(0.001)) / static_cast<double>(count(0.1));
+	EXPECT_NEAR(ratio, 10, 3) << "a hundredth of the error takes ten times the points";
+}
+
+TEST(TextOutline, SameInputSameBytesOnEveryThread)
+{
+	const std::string expected = OutlineToSvg(Made("Grüße ®@&"));
+	std::vector<std::string> results(4);
+	std::vector<std::thread> threads;
+	for (std::string& result : results)
+		threads.emplace_back([&result] { result = OutlineToSvg(MakeTextOutline("Grüße ®@&", {})); });
+	for (std::thread& thread : threads) thread.join();
+	for (const std::string& result : results) EXPECT_EQ(result, expected);
+}
+
+TEST(TextOutline, TheLocaleDoesNotMatter)
+{
+	const std::string expected = OutlineToSvg(Made("1.5 mm"));
+	const std::string before = std::setlocale(LC_ALL, nullptr);
+	for (const char* locale : {"de_DE.UTF-8", "tr_TR.UTF-8", "C.UTF-8"}) {
+		if (std::setlocale(LC_ALL, locale) == nullptr) continue;
+		EXPECT_EQ(OutlineToSvg(Made("1.5 mm")), expected);
+	}
+	std::setlocale(LC_ALL, before.c_str());
+}
+
+TEST(TextOutline, FallsBackOnlyWhenAsked)
+{
+	if (!IsInstalled("Noto Sans CJK JP")) GTEST_SKIP() << "no font with CJK is installed";
+	TextOptions options;
+	const TextError error = ErrorOf("A日本日", options);
+	EXPECT_EQ(error.code, TextErrorCode::MissingGlyphs);
+	EXPECT_EQ(error.codePoints, (std::vector<char32_t>{U'日', U'本'}));
+	EXPECT_NE(Sentence(error).find("U+65E5"), std::string::npos);
+	options.fallbackFonts = true;
+	const TextOutline t = MakeTextOutline("A日本日", options);
+	EXPECT_EQ(FlawOf(t.outline), "");
+	EXPECT_EQ(t.fonts.size(), 2u);
+}
+
+TEST(TextOutline, PicturesOfGlyphsAreNoOutlines)
+{
+	if (!IsInstalled("Noto Color Emoji")) GTEST_SKIP() << "Noto Color Emoji is not installed";
+	EXPECT_EQ(CodeOf("😀", [](TextOptions& o) { o.font = "Noto Color Emoji"; }), TextErrorCode::NoOutlines);
+}
+
+TEST(TextErrors, OfTheText)
+{
+	for (const char* text : {"", "   ", "\n\n", "\t \u200B\u00A0", "\u200D"})
+		EXPECT_EQ(CodeOf(text), TextErrorCode::EmptyText);
+	for (const char* text : {"a\x80", "\xC3", "\xC0\x80", "\xED\xA0\x80", "\xF5\x80\x80\x80", "a\xFF"})
+		EXPECT_EQ(CodeOf(text), TextErrorCode::BadUtf8);
+	TextOptions options;
+	EXPECT_EQ(ErrorOf("ab\xFFz", options).offset, 2u);
+	EXPECT_EQ(CodeOf(std::string(20000, 'x')), TextErrorCode::TextTooLong);
+	EXPECT_EQ(CodeOf(std::string(20000, '\n') + "x"), TextErrorCode::TextTooLong);
+	EXPECT_EQ(CodeOf("a\x07z"), TextErrorCode::MissingGlyphs);
+	EXPECT_EQ(CodeOf(std::string("a\0z", 3)), TextErrorCode::MissingGlyphs);
+}
+
+TEST(TextErrors, OfTheFont)
+{
+	const auto code = [](const char* font) { return CodeOf("x", [font](TextOptions& o) { o.font = font; }); };
+	EXPECT_EQ(code("/no/such/font.ttf"), TextErrorCode::FontNotFound);
+	EXPECT_EQ(code("nosuchfont.otf"), TextErrorCode::FontNotFound);
+	EXPECT_EQ(code("/"), TextErrorCode::NotAFont);
+	EXPECT_EQ(code("/dev/zero"), TextErrorCode::NotAFont);
+	EXPECT_EQ(code(TEXTLABEL_SOURCE_DIR "/tests/text_outline_test.cpp"), TextErrorCode::NotAFont);
+	EXPECT_EQ(code(TEXTLABEL_SOURCE_DIR "/filter_textlabel/fonts/DejaVuSans-Bold.ttf#3"), TextErrorCode::BadFace);
+	EXPECT_EQ(code(TEXTLABEL_SOURCE_DIR "/filter_textlabel/fonts/DejaVuSans-Bold.ttf:wght=3"), TextErrorCode::BadAxis);
+	const TextErrorCode unknown = code("No Such Family At All");
+	EXPECT_TRUE(unknown == TextErrorCode::FontSubstituted || unknown == TextErrorCode::FontNotFound);
+	if (!IsInstalled("DejaVu Sans")) GTEST_SKIP() << "DejaVu Sans is not installed";
+	EXPECT_EQ(code("DejaVu Sans:Thin"), TextErrorCode::FontSubstituted);
+	EXPECT_EQ(code("DejaVu Sans:wght"), TextErrorCode::FontSubstituted) << "a style of that name";
+	EXPECT_EQ(code("DejaVu Sans:wght=x"), TextErrorCode::BadAxis);
+}
+
+TEST(TextErrors, OfTheOptions)
+{
+	const double infinity = std::numeric_limits<double>::infinity(), nan = std::numeric_limits<double>::quiet_NaN();
+	const auto code = [](double TextOptions::*option, double value) {
+		return CodeOf("x", [=](TextOptions& o) { o.*option = value; });
+	};
+	for (const double bad : {0.0, -1.0, nan, infinity})
+		EXPECT_EQ(code(&TextOptions::size, bad), TextErrorCode::BadSize);
+	for (const double bad : {-1.0, nan, infinity}) EXPECT_EQ(code(&TextOptions::fitWidth, bad), TextErrorCode::BadSize);
+	for (const double bad : {-1.0, nan, infinity, 5.0, 1e-9})
+		EXPECT_EQ(code(&TextOptions::tolerance, bad), TextErrorCode::BadTolerance);
+	for (const double bad : {-1.0, nan, infinity, 1000.0})
+		EXPECT_EQ(code(&TextOptions::lineSpacing, bad), TextErrorCode::BadSpacing);
+	for (const double bad : {-2.0, nan, infinity})
+		EXPECT_EQ(code(&TextOptions::letterSpacing, bad), TextErrorCode::BadSpacing);
+	for (const double bad : {-61.0, nan, 90.0}) EXPECT_EQ(code(&TextOptions::slant, bad), TextErrorCode::BadSlant);
+	for (const double bad : {-11.0, nan, infinity})
+		EXPECT_EQ(code(&TextOptions::embolden, bad), TextErrorCode::BadEmbolden);
+	for (const double bad : {nan, infinity, 1e-3}) EXPECT_EQ(code(&TextOptions::arcRadius, bad), TextErrorCode::BadArc);
+	for (const double bad : {-1.0, nan}) EXPECT_EQ(code(&TextOptions::minStroke, bad), TextErrorCode::BadPrintLimit);
+	EXPECT_EQ(CodeOf("x", [](TextOptions& o) { o.features = "liga,=,"; }), TextErrorCode::BadFeature);
+	EXPECT_EQ(code(&TextOptions::embolden, -5), TextErrorCode::LetterVanished);
+}
+
+}  // namespace
