@@ -1,0 +1,161 @@
+// Layers with a matrix, far and tiny parts, MeshLab's own mesh: the same label in other coordinates is the same label.
+
+#include "vcg_ext/text_label.h"
+
+#include <gtest/gtest.h>
+#include <random>
+
+#include "label_check.h"
+#include "test_mesh.h"
+
+#if defined(MESHLAB_SCALAR) && __has_include("common/ml_mesh_type.h")
+#include "common/ml_mesh_type.h"
+#define HAS_MESHLAB_MESH
+#endif
+
+namespace {
+
+using namespace label_check;
+using test_mesh::Shape;
+
+Shape Part() { return test_mesh::Slab(30, 20, 4, 15, 10); }
+
+// The label is cut in world coordinates; the mesh is stored before the layer's matrix. Volume, in mesh units, is that of the world
+// divided by the matrix's determinant, whatever the matrix: a shear, a scale, a mirror.
+TEST(Layer, VolumeIsThatOfTheWorld)
+{
+	struct Matrix {
+		Point3d x, y, z;
+	};
+	const std::vector<Matrix> matrices = {
+		{{2, 0, 0}, {0, 2, 0}, {0, 0, 2}},          {{-1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
+		{{1, 0, 0}, {0, 1, 0}, {0, 0, -1}},         {{0, 1, 0}, {-1, 0, 0}, {0, 0, 1}},
+		{{1e-3, 0, 0}, {0, 1e-3, 0}, {0, 0, 1e-3}}, {{1, 0.2, 0}, {0.1, 0.5, 0}, {0.3, 0.1, 3}},
+	};
+	for (const Matrix& a : matrices)
+		for (const double height : {0.75, -0.75}) {
+			const double det = (a.x ^ a.y) * a.z, size = std::cbrt(std::abs(det));
+			LabelFrame frame;
+			for (int i = 0; i < 3; ++i) {
+				frame.toWorld.ElementAt(i, 0) = a.x[i];
+				frame.toWorld.ElementAt(i, 1) = a.y[i];
+				frame.toWorld.ElementAt(i, 2) = a.z[i];
+				frame.toWorld.ElementAt(i, 3) = 5.0 - i;
+			}
+			frame.origin = {5, 4, 3 + (a.z[2] < 0 ? 4 * std::abs(a.z[2]) : 0)};
+			const Outline letters = Moved(ThreeLetters(), 0.5 * size, 0.01 * size, 0);
+			test_mesh::FloatMesh m;
+			test_mesh::Fill(m, Part());
+			const Shape before = test_mesh::ToShape(m);
+			LabelOptions options;
+			options.height = height * size;
+			Error error(ErrorCode::Cancelled);
+			ASSERT_EQ(Refusal(m, letters, frame, options, &error), "no error")
+				<< "determinant " << det << ", code " << int(error.code);
+			ExpectSameKind(before, m);
+			const double expected = Area(letters) * options.height / std::abs(det);
+			EXPECT_NEAR(Volume(test_mesh::ToShape(m)) - Volume(before), expected, 1e-4 * std::abs(expected))
+				<< "determinant " << det;
+		}
+}
+
+// Turned, moved and scaled together, part and frame give the same label: the same counts, the same volume in units of the scale.
+TEST(Layer, LabelMovesWithThePart)
+{
+	std::mt19937 random(1);
+	std::uniform_real_distribution<double> unit(-1, 1);
+	test_mesh::DoubleMesh reference;
+	test_mesh::Fill(reference, Part());
+	LabelOptions options;
+	options.height = 0.75;
+	const LabelResult expected = LabelMesh(reference, ThreeLetters(), FromAbove(), options);
+	for (const double scale : {1e-6, 1.0, 1e5})
+		for (int n = 0; n < 5; ++n) {
+			const LabelFrame turned = FrameFromDirection({0, 0, 0}, {unit(random), unit(random), unit(random)},
+			                                             {unit(random), unit(random), unit(random)});
+			const Point3d shift = Point3d(unit(random), unit(random), unit(random)) * (scale * 100);
+			const auto place = [&](const Point3d& p) {
+				return (turned.u * p[0] + turned.v * p[1] + turned.w * p[2]) * scale + shift;
+			};
+			test_mesh::FloatMesh m;
+			test_mesh::Fill(m, Part().moved(place));
+			const Shape before = test_mesh::ToShape(m);
+			LabelFrame frame = turned;
+			frame.origin = shift;
+			LabelOptions scaled = options;
+			scaled.height = options.height * scale;
+			const LabelResult result = LabelMesh(m, Moved(ThreeLetters(), scale, 0, 0), frame, scaled);
+			ExpectSameKind(before, m);
+			EXPECT_EQ(result.topFaces.size(), expected.topFaces.size());
+			EXPECT_EQ(result.wallFaces.size(), expected.wallFaces.size());
+			const double cube = scale * scale * scale;
+			EXPECT_NEAR(result.addedVolume / cube, expected.addedVolume, 1e-4 * expected.addedVolume);
+			EXPECT_NEAR(result.labelArea / (scale * scale), expected.labelArea, 1e-4 * expected.labelArea);
+		}
+}
+
+// A part in map coordinates, in doubles: float32 cannot carry the letters there, doubles can, and the result says so.
+TEST(Layer, DoublesCarryWhatFloatsCannot)
+{
+	const Point3d utm(500000, 4000000, 100);
+	const Shape part = Part().moved([&](const Point3d& p) { return p + utm; });
+	LabelFrame frame;
+	frame.origin = utm;
+	LabelOptions options;
+	options.height = 0.75;
+	test_mesh::DoubleMesh m;
+	test_mesh::Fill(m, part);
+	const LabelResult result = LabelMesh(m, Moved(ThreeLetters(), 0.5, 0, 0), frame, options);
+	EXPECT_FALSE(result.survivesFloat32);
+	EXPECT_NEAR(result.addedVolume, Area(ThreeLetters()) / 4 * 0.75, 1e-6);
+	const MeshReport report = MakeReport(m);
+	EXPECT_TRUE(IsSound(report)) << ToText(report);
+
+	test_mesh::DoubleMesh near;
+	test_mesh::Fill(near, Part());
+	EXPECT_TRUE(LabelMesh(near, ThreeLetters(), FromAbove(), options).survivesFloat32);
+	test_mesh::FloatMesh coarse;
+	test_mesh::Fill(coarse, part);
+	Error error(ErrorCode::Cancelled);
+	Refusal(coarse, Moved(ThreeLetters(), 0.5, 0, 0), frame, options, &error);
+	EXPECT_EQ(error.code, ErrorCode::TooFine);
+}
+
+#ifdef HAS_MESHLAB_MESH
+// MeshLab's mesh keeps optional attributes outside of its faces and vertices; they have to grow with them.
+TEST(Layer, MeshLabsOwnMesh)
+{
+	for (const bool optional : {false, true}) {
+		CMeshO m;
+		test_mesh::Fill(m, Part());
+		if (optional) {
+			m.vert.EnableTexCoord();
+			m.face.EnableColor();
+			m.face.EnableQuality();
+			m.face.EnableWedgeTexCoord();
+			for (auto& v : m.vert) v.T().u() = float(v.cP()[0]);
+			for (size_t i = 0; i < m.face.size(); ++i) {
+				m.face[i].Q() = typename CMeshO::FaceType::QualityType(i);
+				for (int k = 0; k < 3; ++k) m.face[i].WT(k).v() = float(m.face[i].cV(k)->cP()[1]);
+			}
+		}
+		const Shape before = test_mesh::ToShape(m);
+		LabelOptions options;
+		options.height = 0.75;
+		const LabelResult result = LabelMesh(m, ThreeLetters(), FromAbove(), options);
+		ExpectSameKind(before, m);
+		EXPECT_NEAR(Volume(test_mesh::ToShape(m)) - Volume(before), Area(ThreeLetters()) * 0.75,
+		            1e-4 * Area(ThreeLetters()));
+		if (!optional) continue;
+		for (size_t i = size_t(result.firstNewVertex); i < m.vert.size(); ++i)
+			EXPECT_NEAR(m.vert[i].cT().u(), m.vert[i].cP()[0], 1e-5);
+		for (const int f : result.topFaces) {
+			const auto& face = m.face[size_t(f)];
+			EXPECT_LT(face.cQ(), before.faces.size());
+			for (int k = 0; k < 3; ++k) EXPECT_NEAR(face.cWT(k).v(), face.cV(k)->cP()[1], 1e-5);
+		}
+	}
+}
+#endif
+
+}  // namespace
