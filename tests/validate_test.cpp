@@ -184,6 +184,9 @@ TEST(Report, Handles)
 	open.faces.erase(open.faces.begin() + 20, open.faces.begin() + 22);
 	EXPECT_EQ(MakeReport(open).genus, 1) << "a hole is no handle";
 	EXPECT_EQ(MakeReport(open).borderLoops, 1);
+	open.faces.erase(open.faces.begin() + 90, open.faces.begin() + 92);
+	EXPECT_EQ(MakeReport(open).genus, 1) << "nor are two";
+	EXPECT_EQ(MakeReport(open).borderLoops, 2);
 }
 
 // Pappus: a torus has volume 2π²Rr² and area 4π²Rr; a fine one comes close, from inside.
@@ -267,7 +270,9 @@ TEST(Prepare, RoundsAndMerges)
 	}
 	for (Point3d& p : soup.positions)
 		if (&p - soup.positions.data() == 7) p[0] = std::nextafter(p[0], 1);
-	soup.positions[8][2] = soup.positions[8][2] == 0 ? -0.0 : soup.positions[8][2];
+	for (int k = 0; k < 3; ++k)
+		for (size_t i = 0; i < soup.positions.size(); i += 5)
+			if (soup.positions[i][k] == 0) soup.positions[i][k] = -0.0;
 	EXPECT_EQ(MakeReport(soup).components, 12);
 	EXPECT_FALSE(IsClosed(MakeReport(PrepareForReport(soup, {false, true}))));
 	const MeshReport r = MakeReport(PrepareForReport(soup, {true, true}));
