@@ -62,7 +62,7 @@ public:
 	LabelPlan plan(const Outline& outline);
 
 private:
-	static constexpr double snapUlps = 4, strokeUlps = 64, shiftUlps = 3, shortestUlps = 2, capUlps = 6;
+	static constexpr double snapUlps = 4, strokeUlps = 24, shiftUlps = 3, shortestUlps = 2, capUlps = 6;
 	static constexpr int mostAttempts = 8;
 	static constexpr int bisections = 10;
 

@@ -104,12 +104,12 @@ inline LabelPatch RaiseLabel(const LabelSpace& space, const Sheet& sheet, const 
 		if (along == ExtrudeAlong::SurfaceNormal) normal = detail::SmoothNormals(cut, inside);
 		const auto raised = [&](int i) {
 			const CutPoint& p = cut.points[size_t(i)];
-			if (space.perspective() && !space.isInFront(p.label + space.towardsViewer(p.label) * std::max(height, 0.0)))
-				throw Error(ErrorCode::BehindCamera, "the label would rise to the centre of projection")
-					.atPlace(p.mesh);
 			const vcg::Point3d direction = along == ExtrudeAlong::Viewpoint     ? space.towardsViewer(p.label)
 			                               : along == ExtrudeAlong::LabelNormal ? vcg::Point3d(0, 0, 1)
 			                                                                    : normal[size_t(i)];
+			if (!space.isInFront(p.label + direction * height))
+				throw Error(ErrorCode::BehindCamera, "the label would rise to the centre of projection")
+					.atPlace(p.mesh);
 			return p.mesh + space.vectorToMesh(direction * height);
 		};
 		for (const ContourPiece& piece : cut.pieces) {  // each contour point is the start of one piece

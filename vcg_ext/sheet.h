@@ -83,6 +83,10 @@ struct PlaneBox {
 		low -= vcg::Point2d(margin, margin);
 		high += vcg::Point2d(margin, margin);
 	}
+	bool holds(const PlaneBox& b) const
+	{
+		return b.low[0] >= low[0] && b.low[1] >= low[1] && b.high[0] <= high[0] && b.high[1] <= high[1];
+	}
 	double width() const { return high[0] - low[0]; }
 	double height() const { return high[1] - low[1]; }
 };

@@ -105,6 +105,61 @@ void RequireTriangles(const MeshType& m, const Sheet& sheet, const LabelPatch& p
 	}
 }
 
+/// The box of all that a patch changes, in the label plane.
+inline PlaneBox ReachOf(const LabelSpace& space, const LabelPatch& patch)
+{
+	PlaneBox box;
+	for (const PatchVertex& v : patch.vertices) box.add(space.project(space.toLabel(v.mesh)));
+	for (const auto& [vertex, p] : patch.moved) box.add(space.project(space.toLabel(p)));
+	return box;
+}
+
+/// A plan and the candidates it was made on.
+struct PlannedLabel {
+	Sheet sheet;
+	LabelPlan plan;
+	bool survivesFloat32 = true;
+};
+
+template <class MeshType>
+PlannedLabel PlanInBox(const MeshType& m, const LabelSpace& space, const Outline& outline, const PlaneBox& box,
+                       const LabelOptions& options)
+{
+	PlannedLabel p;
+	p.sheet = CollectSheet(m, space, box);
+	if (p.sheet.isEmpty && !p.sheet.reachesBehindCamera)
+		throw Error(ErrorCode::EmptyMesh, "no face with finite corners");
+	if (std::abs(options.height) > p.sheet.extent)
+		throw Error(ErrorCode::BadHeight, "larger than the part").measured(std::abs(options.height), p.sheet.extent);
+	try {
+		p.plan = LabelPlanner(space, p.sheet, Precision{true}, options).plan(outline);
+	} catch (const Error& e) {
+		if (!std::is_same_v<typename MeshType::ScalarType, double> || e.code != ErrorCode::TooFine) throw;
+		p.sheet = CollectSheet(m, space, box);
+		p.plan = LabelPlanner(space, p.sheet, Precision{false}, options).plan(outline);
+		p.survivesFloat32 = false;
+	}
+	return p;
+}
+
+/// Plan on candidates that hold all that the label may meet: where a wide-angle view sees the raised letters beside the flat ones,
+/// the candidates are collected once more.
+template <class MeshType>
+PlannedLabel PlanOnMesh(const MeshType& m, const LabelSpace& space, const Outline& outline, const LabelOptions& options)
+{
+	constexpr double margin = 1e-3;  // of the box: room for shifts and rounding
+	PlaneBox box = CheckedBox(outline);
+	const bool straightUp = options.along == ExtrudeAlong::Viewpoint;
+	box.grow((straightUp ? 0 : std::abs(options.height)) + (box.width() + box.height()) * margin);
+	for (;;) {
+		PlannedLabel p = PlanInBox(m, space, outline, box, options);
+		const PlaneBox reach = ReachOf(space, p.plan.patch);
+		if (straightUp || !space.perspective() || box.holds(reach)) return p;
+		box.add(reach.low);
+		box.add(reach.high);
+	}
+}
+
 }  // namespace detail
 
 template <class MeshType>
@@ -113,51 +168,37 @@ LabelResult LabelMesh(MeshType& m, const Outline& outline, const LabelFrame& fra
 	if (m.vn == 0 || m.fn == 0) throw Error(ErrorCode::EmptyMesh, "no faces");
 	if (!std::isfinite(options.height)) throw Error(ErrorCode::BadHeight, "height is not finite");
 	const LabelSpace space(frame);
-	PlaneBox box = detail::CheckedBox(outline);
-	box.grow(std::abs(options.height) + (box.width() + box.height()) * 1e-3);
-	Sheet sheet = CollectSheet(m, space, box);
-	if (sheet.isEmpty && !sheet.reachesBehindCamera) throw Error(ErrorCode::EmptyMesh, "no face with finite corners");
-	if (std::abs(options.height) > sheet.extent)
-		throw Error(ErrorCode::BadHeight, "larger than the part").measured(std::abs(options.height), sheet.extent);
-
-	constexpr bool isDouble = std::is_same_v<typename MeshType::ScalarType, double>;
-	LabelPlan plan;
-	bool survivesFloat32 = true;
+	detail::PlannedLabel planned;
 	try {
-		try {
-			plan = LabelPlanner(space, sheet, Precision{true}, options).plan(outline);
-		} catch (const Error& e) {
-			if (!isDouble || e.code != ErrorCode::TooFine) throw;
-			plan = LabelPlanner(space, sheet, Precision{false}, options).plan(outline);
-			survivesFloat32 = false;
-		}
+		planned = detail::PlanOnMesh(m, space, outline, options);
 	} catch (Error& e) {
-		RequireGoodOutline(
-			outline);  // a wrong outline runs into anything; looked at only now, since a good one needs no look
+		RequireGoodOutline(outline);  // a wrong outline runs into anything; a good one needs no look
 		if (e.letter < 0 && e.hasPlace) e.letter = detail::NearestLetter(space, outline, e.place);
 		throw;
 	}
-	detail::RequireTriangles(m, sheet, plan.patch);
+	const LabelPlan& plan = planned.plan;
+	const LabelPatch& patch = plan.patch;
+	detail::RequireTriangles(m, planned.sheet, patch);
 
 	LabelResult result;
-	result.addedVolume = detail::VolumeChange(sheet, plan.patch, space.mirrors());
-	result.survivesFloat32 = survivesFloat32;
+	result.addedVolume = detail::VolumeChange(planned.sheet, patch, space.mirrors());
+	result.survivesFloat32 = planned.survivesFloat32;
 	result.labelArea = plan.cut.insideArea;
 	result.surfaceArea = plan.surfaceArea;
 	result.stretch = plan.stretch;
 	result.room = plan.room;
 	result.resolution = plan.resolution;
 	result.attempts = plan.attempts;
-	result.touchedFaces = int(plan.patch.removed.size());
-	result.newVertices = int(plan.patch.vertices.size());
-	result.newFaces = int(plan.patch.faces.size() - plan.patch.removed.size());
+	result.touchedFaces = int(patch.removed.size());
+	result.newVertices = int(patch.vertices.size());
+	result.newFaces = int(patch.faces.size()) - int(patch.removed.size());
 	for (std::vector<int>* list : {&result.topFaces, &result.wallFaces, &result.outsideFaces})
-		list->reserve(plan.patch.faces.size());
+		list->reserve(patch.faces.size());
 	if (options.progress && !options.progress(95)) throw Error(ErrorCode::Cancelled, "the caller said stop");
-	const CommitResult commit = CommitPatch(m, space, sheet, plan.patch);
+	const CommitResult commit = CommitPatch(m, space, planned.sheet, patch);
 	result.firstNewVertex = commit.firstNewVertex;
-	for (size_t i = 0; i < plan.patch.faces.size(); ++i) {
-		const FaceKind kind = plan.patch.faces[i].kind;
+	for (size_t i = 0; i < patch.faces.size(); ++i) {
+		const FaceKind kind = patch.faces[i].kind;
 		(kind == FaceKind::Top    ? result.topFaces
 		 : kind == FaceKind::Wall ? result.wallFaces
 		                          : result.outsideFaces)
