@@ -71,35 +71,29 @@ struct Labelled {
 	}
 };
 
-std::string FaceBytes(const RichMesh& m, size_t i)
+/// The bytes of some values, one after the other.
+template <class... Values>
+std::string BytesOf(const Values&... values)
 {
 	std::string out;
+	(out.append(reinterpret_cast<const char*>(&values), sizeof values), ...);
+	return out;
+}
+
+std::string FaceBytes(const RichMesh& m, size_t i)
+{
 	const auto& f = m.face[i];
-	const auto add = [&out](const auto& x) { out.append(reinterpret_cast<const char*>(&x), sizeof x); };
-	for (int k = 0; k < 3; ++k) {
-		add(f.cV(k) - m.vert.data());
-		add(f.cN()[k]);
-		add(f.cWT(k));
-	}
-	add(f.cFlags());
-	add(f.cC());
-	add(f.cQ());
+	std::string out = BytesOf(f.cFlags(), f.cC(), f.cQ());
+	for (int k = 0; k < 3; ++k)
+		out += BytesOf(f.cV(k) - m.vert.data(), f.cN()[k], f.cWT(k).u(), f.cWT(k).v(), f.cWT(k).n());
 	return out;
 }
 
 std::string VertexBytes(const RichMesh& m, size_t i)
 {
-	std::string out;
 	const auto& v = m.vert[i];
-	const auto add = [&out](const auto& x) { out.append(reinterpret_cast<const char*>(&x), sizeof x); };
-	for (int k = 0; k < 3; ++k) {
-		add(v.cP()[k]);
-		add(v.cN()[k]);
-	}
-	add(v.cFlags());
-	add(v.cC());
-	add(v.cQ());
-	add(v.cT());
+	std::string out = BytesOf(v.cFlags(), v.cC(), v.cQ(), v.cT().u(), v.cT().v(), v.cT().n());
+	for (int k = 0; k < 3; ++k) out += BytesOf(v.cP()[k], v.cN()[k]);
 	return out;
 }
 

@@ -221,6 +221,11 @@ std::string Bytes(const MeshType& m)
 {
 	std::string out;
 	const auto add = [&out](const auto& x) { out.append(reinterpret_cast<const char*>(&x), sizeof x); };
+	const auto addTexture = [&add](const auto& t) {  // one by one: there is padding between them
+		add(t.u());
+		add(t.v());
+		add(t.n());
+	};
 	add(m.vn);
 	add(m.fn);
 	for (const auto& v : m.vert) {
@@ -231,13 +236,13 @@ std::string Bytes(const MeshType& m)
 		add(v.cFlags());
 		if (MeshType::VertexType::HasColor()) add(v.cC());
 		if (MeshType::VertexType::HasQuality()) add(v.cQ());
-		if (MeshType::VertexType::HasTexCoord()) add(v.cT());
+		if (MeshType::VertexType::HasTexCoord()) addTexture(v.cT());
 	}
 	for (const auto& f : m.face) {
 		for (int k = 0; k < 3; ++k) {
 			add(f.cV(k) - m.vert.data());
 			add(f.cN()[k]);
-			if (MeshType::FaceType::HasWedgeTexCoord()) add(f.cWT(k));
+			if (MeshType::FaceType::HasWedgeTexCoord()) addTexture(f.cWT(k));
 		}
 		add(f.cFlags());
 		if (MeshType::FaceType::HasColor()) add(f.cC());
