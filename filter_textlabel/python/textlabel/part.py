@@ -1,0 +1,86 @@
+"""One part, loaded once and labelled as often as wanted."""
+
+import os
+
+import pymeshlab
+
+from .plugin import FILTER, LabelError, check_value, load_plugin
+
+
+def label(mesh, text, output=None, **parameters):
+    """Label one part with a text.
+
+    mesh: a mesh file; or a pymeshlab.MeshSet, whose current mesh is labelled in place.
+    output: the file to write; None for a MeshSet that is to be worked on further.
+    parameters: of the filter, see defaults(); a place needs placement="Point and direction", position, direction.
+    Returns the report. Raises LabelError; a MeshSet is then as it was, and no file is written.
+    """
+    if isinstance(mesh, pymeshlab.MeshSet):
+        report = _apply(mesh, text, parameters)
+        if output is not None:
+            _save(mesh, output)
+        return report
+    if output is None:
+        raise LabelError("Labelling a file needs an output: the file to write.")
+    return Part(mesh).label(text, output, **parameters)
+
+
+class Part:
+    """A mesh file in memory. Each label is cut into a copy of it, so no label sees an earlier one."""
+
+    def __init__(self, path):
+        """Raises LabelError when the file cannot be read as a mesh with faces."""
+        load_plugin()
+        self.path = os.fspath(path)
+        self._set = pymeshlab.MeshSet()
+        try:
+            self._set.load_new_mesh(self.path)
+        except pymeshlab.PyMeshLabException as error:
+            raise LabelError(f"The mesh '{self.path}' cannot be read: {_one_line(error)}") from error
+        self._original = self._set.current_mesh_id()
+
+    def label(self, text, output, **parameters):
+        """Write the part with the text cut into it to the file output; see label()."""
+        self._set.set_current_mesh(self._original)
+        self._set.apply_filter("generate_copy_of_current_mesh")
+        try:
+            report = _apply(self._set, text, parameters)
+            _save(self._set, output)
+        finally:
+            self._set.delete_current_mesh()
+            self._set.clear_filter_script()  # it would grow with each label
+        return report
+
+
+def _apply(mesh_set, text, parameters):
+    load_plugin()
+    values = {name: check_value(name, value) for name, value in {**parameters, "text": text}.items()}
+    try:
+        report = mesh_set.apply_filter(FILTER, **values)
+    except Exception as error:  # PyMeshLab has several kinds, without a common base
+        raise LabelError(_reason(error)) from error
+    return {name: _plain(value) for name, value in report.items()}
+
+
+def _save(mesh_set, output):
+    output = os.fspath(output)
+    try:
+        mesh_set.save_current_mesh(output)
+    except pymeshlab.PyMeshLabException as error:
+        raise LabelError(
+            f"'{output}' cannot be written: {_one_line(error)} "
+            "Choose a folder that exists and has room, and a name that ends in .stl, .ply, .obj or .off."
+        ) from error
+
+
+def _one_line(error):
+    return " ".join(str(error).split())
+
+
+def _reason(error):
+    """The filter's own sentences, without what PyMeshLab puts before them."""
+    return _one_line(error).split("Details: ", 1)[-1]
+
+
+def _plain(value):
+    return [float(part) for part in value] if hasattr(value, "__len__") else value

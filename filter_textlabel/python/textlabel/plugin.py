@@ -1,0 +1,180 @@
+"""The filter inside PyMeshLab: find its plugin, load it once, and know names, types and defaults of its parameters."""
+
+import difflib
+import os
+import pathlib
+
+import pymeshlab
+
+FILTER = "apply_text_label"
+VARIABLE = "TEXTLABEL_PYMESHLAB_PLUGIN"  # environment: the plugin's path
+
+
+class LabelError(Exception):
+    """A label that cannot be made. The text says what is wrong, where, and what to do; the mesh is as it was."""
+
+
+def plugin_path():
+    """Path of the plugin: what the environment says, else beside this package, else where build.sh leaves it."""
+    if os.environ.get(VARIABLE):
+        return pathlib.Path(os.environ[VARIABLE])
+    package = pathlib.Path(__file__).resolve().parent
+    folders = [package, package.parents[2] / "build" / "pymeshlab" / "filter_textlabel"]
+    for folder in folders:
+        for ending in ("so", "dylib", "dll"):
+            for name in ("libfilter_textlabel", "filter_textlabel"):
+                if (folder / f"{name}.{ending}").is_file():
+                    return folder / f"{name}.{ending}"
+    raise LabelError(
+        f"The plugin was not found in {' or '.join(map(str, folders))}. "
+        f"Build it by 'filter_textlabel/build.sh pymeshlab', or set {VARIABLE} to its path."
+    )
+
+
+def load_plugin(path=None):
+    """Make the filter known to PyMeshLab. Does nothing when it is known already.
+
+    path: the plugin's file; None: where plugin_path() finds it.
+    Raises LabelError when the plugin is missing or made for another PyMeshLab.
+    """
+    if FILTER in pymeshlab.filter_list():
+        return
+    path = pathlib.Path(path) if path is not None else plugin_path()
+    try:
+        pymeshlab.load_plugin(str(path))
+    except pymeshlab.PyMeshLabException as error:
+        raise LabelError(
+            f"PyMeshLab cannot load the plugin {path}: {error} Build it for the PyMeshLab that is installed: "
+            "'filter_textlabel/build.sh pymeshlab'."
+        ) from error
+
+
+_defaults = {}
+
+
+def defaults():
+    """All parameters of the filter: {name: value when it is not given}."""
+    if not _defaults:
+        load_plugin()
+        mesh_set = pymeshlab.MeshSet()
+        mesh_set.apply_filter("create_cube")
+        _defaults.update(mesh_set.filter_parameter_values(FILTER))
+    return dict(_defaults)
+
+
+def near_names(name):
+    """Parameters that a misspelt name may mean."""
+    return difflib.get_close_matches(name, defaults(), n=3, cutoff=0.7)
+
+
+def check_name(name):
+    """Raise LabelError when the filter has no such parameter."""
+    if name not in defaults():
+        near = near_names(name)
+        hint = f"Did you mean {' or '.join(near)}?" if near else f"There are: {', '.join(defaults())}."
+        raise LabelError(f"The filter has no parameter '{name}'. {hint}")
+
+
+def check_value(name, value):
+    """The value in the form that PyMeshLab takes.
+
+    Raises LabelError when there is no such parameter or the value is of another type.
+    """
+    check_name(name)
+    kind = _kind(defaults()[name])
+    try:
+        return _CONVERT[kind](value)
+    except (TypeError, ValueError, OverflowError):
+        raise LabelError(f"The parameter {name} takes {_TAKES[kind]}, not {value!r}.") from None
+
+
+def parse_value(name, text):
+    """The value that a text means, as written in a table or on the command line: 1.5; true; 0,0,1; ff8000; Engrave."""
+    check_name(name)
+    kind = _kind(defaults()[name])
+    try:
+        return _PARSE[kind](text)
+    except (KeyError, ValueError):
+        raise LabelError(f"The parameter {name} takes {_TAKES[kind]}, not '{text}'.") from None
+
+
+# ---- one function for each kind of parameter
+
+
+def _kind(default):
+    if isinstance(default, (bool, str, float, int)):
+        return type(default)
+    return pymeshlab.Color if isinstance(default, pymeshlab.Color) else tuple
+
+
+def _text(value):
+    if isinstance(value, os.PathLike):
+        return os.fspath(value)
+    if not isinstance(value, str):
+        raise TypeError
+    value.encode("utf-8")  # half a surrogate pair is a ValueError
+    return value
+
+
+def _choice(value):
+    """One of the filter's names, in any case, or its number."""
+    if isinstance(value, bool) or not isinstance(value, (str, int)):
+        raise TypeError
+    return value.strip().capitalize() if isinstance(value, str) else value
+
+
+def _number(value):
+    if isinstance(value, (bool, str)):
+        raise TypeError
+    return float(value)
+
+
+def _truth(value):
+    if not isinstance(value, bool):
+        raise TypeError
+    return value
+
+
+def _point(value):
+    if isinstance(value, str) or len(value) != 3:
+        raise TypeError
+    return [_number(part) for part in value]
+
+
+def _color(value):
+    if isinstance(value, pymeshlab.Color):
+        return value
+    if isinstance(value, str):
+        return _parse_color(value)
+    red, green, blue = value
+    return pymeshlab.Color(int(red), int(green), int(blue), 255)
+
+
+def _parse_truth(text):
+    return {"true": True, "1": True, "yes": True, "false": False, "0": False, "no": False}[text.strip().lower()]
+
+
+def _parse_point(text):
+    parts = [float(part) for part in text.split(",")]
+    if len(parts) != 3:
+        raise ValueError
+    return parts
+
+
+def _parse_color(text):
+    digits = text.strip().removeprefix("#")
+    if len(digits) != 6 or not digits.isalnum():
+        raise ValueError
+    return pymeshlab.Color(*(int(digits[i : i + 2], 16) for i in (0, 2, 4)), 255)
+
+
+_TAKES = {
+    str: "a text",
+    int: "the name of a choice",
+    float: "a number",
+    bool: "true or false",
+    tuple: "three numbers, as 0,0,1",
+    pymeshlab.Color: "a colour, as ff8000",
+}
+_CONVERT = {str: _text, int: _choice, float: _number, bool: _truth, tuple: _point, pymeshlab.Color: _color}
+_PARSE = {str: str, int: _choice, float: float, bool: _parse_truth, tuple: _parse_point, pymeshlab.Color: _parse_color}
