@@ -47,7 +47,7 @@ void GrowMesh(MeshType& m, size_t vertices, size_t faces)
 		m.vert.resize(oldVertices);
 		m.vn = oldVn;
 		m.fn = oldFn;
-		throw Error(ErrorCode::OutOfMemory, "no memory for the label's faces");
+		throw Error(ErrorCode::OutOfMemory);
 	}
 }
 

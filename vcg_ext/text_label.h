@@ -160,28 +160,26 @@ PlannedLabel PlanOnMesh(const MeshType& m, const LabelSpace& space, const Outlin
 	}
 }
 
-}  // namespace detail
-
 template <class MeshType>
-LabelResult LabelMesh(MeshType& m, const Outline& outline, const LabelFrame& frame, const LabelOptions& options)
+LabelResult LabelMeshOrThrow(MeshType& m, const Outline& outline, const LabelFrame& frame, const LabelOptions& options)
 {
 	if (m.vn == 0 || m.fn == 0) throw Error(ErrorCode::EmptyMesh, "no faces");
 	if (!std::isfinite(options.height)) throw Error(ErrorCode::BadHeight, "height is not finite");
 	const LabelSpace space(frame);
-	detail::PlannedLabel planned;
+	PlannedLabel planned;
 	try {
-		planned = detail::PlanOnMesh(m, space, outline, options);
+		planned = PlanOnMesh(m, space, outline, options);
 	} catch (Error& e) {
 		RequireGoodOutline(outline);  // a wrong outline runs into anything; a good one needs no look
-		if (e.letter < 0 && e.hasPlace) e.letter = detail::NearestLetter(space, outline, e.place);
+		if (e.letter < 0 && e.hasPlace) e.letter = NearestLetter(space, outline, e.place);
 		throw;
 	}
 	const LabelPlan& plan = planned.plan;
 	const LabelPatch& patch = plan.patch;
-	detail::RequireTriangles(m, planned.sheet, patch);
+	RequireTriangles(m, planned.sheet, patch);
 
 	LabelResult result;
-	result.addedVolume = detail::VolumeChange(planned.sheet, patch, space.mirrors());
+	result.addedVolume = VolumeChange(planned.sheet, patch, space.mirrors());
 	result.survivesFloat32 = planned.survivesFloat32;
 	result.labelArea = plan.cut.insideArea;
 	result.surfaceArea = plan.surfaceArea;
@@ -205,6 +203,18 @@ LabelResult LabelMesh(MeshType& m, const Outline& outline, const LabelFrame& fra
 			.push_back(commit.faces[i]);
 	}
 	return result;
+}
+
+}  // namespace detail
+
+template <class MeshType>
+LabelResult LabelMesh(MeshType& m, const Outline& outline, const LabelFrame& frame, const LabelOptions& options)
+{
+	try {
+		return detail::LabelMeshOrThrow(m, outline, frame, options);
+	} catch (const std::bad_alloc&) {
+		throw Error(ErrorCode::OutOfMemory);  // no words: they would need memory
+	}
 }
 
 }  // namespace vcg::textlabel
