@@ -12,6 +12,7 @@
 #include "label_clearance.h"
 #include "label_seed.h"
 #include "patch_check.h"
+#include "rounding.h"
 
 #include <functional>
 
@@ -38,7 +39,7 @@ struct LabelPlan {
 struct Precision {
 	bool isFloat = true;  ///< float32, else float64
 
-	double round(double x) const { return isFloat ? double(float(x)) : x; }
+	double round(double x) const { return isFloat ? RoundToFloat(x) : x; }
 	/// The step between coordinates of this size.
 	double ulp(double largest) const
 	{
