@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "crossing_search.h"
+#include "rounding.h"
 
 namespace vcg::textlabel {
 
@@ -374,7 +375,7 @@ inline IndexedMesh PrepareForReport(IndexedMesh mesh, const ReportOptions& optio
 {
 	if (options.asFloat32)
 		for (vcg::Point3d& p : mesh.positions)
-			for (int k = 0; k < 3; ++k) p[k] = static_cast<double>(static_cast<float>(p[k]));
+			for (int k = 0; k < 3; ++k) p[k] = RoundToFloat(p[k]);
 	if (options.mergeEqualPoints) detail::MergeEqualPoints(mesh);
 	return mesh;
 }
