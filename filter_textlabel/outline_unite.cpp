@@ -20,8 +20,8 @@ constexpr double kTrace = 1.0 / 8;
 constexpr double kTrifle = 1.0 / 16;
 /// Rounds of bridging; a bridge may come close to something in its turn.
 constexpr int kRounds = 12;
-/// A letter that crosses itself more often than this is rubbish, which would take forever to unite.
-constexpr std::size_t kMostCrossings = 50000;
+/// What crosses itself more often than this is rubbish, which would take forever to unite.
+constexpr std::size_t kMostCrossings = 100000;
 /// Longest miter of an emboldened corner, times the offset, as fonts and SVG have it.
 constexpr double kMiterLimit = 4;
 
@@ -84,15 +84,23 @@ void DropCollinear(Path& ring)
 	}
 }
 
-/// Unite, and bridge what comes too close, until nothing does.
+void CheckCrossings(const Paths& rings)
+{
+	if (CountCrossings(rings, kMostCrossings) >= kMostCrossings)
+		throw TextError(TextErrorCode::Unsound, "letters cross themselves or each other too often");
+}
+
+/// Bridge what comes too close, until nothing does.
+/// @param[in] rings  united
 Paths Bridged(Paths rings, double finest)
 {
 	for (int round = 0;; ++round) {
-		rings = Cleaned(CheckedUnion(rings, kTrifle * finest), finest);
+		rings = Cleaned(rings, finest);
 		for (Path& ring : rings) DropCollinear(ring);
 		const Paths beads = round < kRounds ? BeadsOf(rings, finest) : Paths{};
 		if (beads.empty()) break;
 		rings.insert(rings.end(), beads.begin(), beads.end());
+		rings = CheckedUnion(rings, kTrifle * finest);
 	}
 	if (!AreSound(rings)) throw TextError(TextErrorCode::Unsound, "it keeps touching itself");
 	return rings;
@@ -107,14 +115,62 @@ Paths LetterShape(const LetterRings& letter, const UniteOptions& options, const 
 		for (const vcg::Point2d& p : ring) path.push_back(grid(p));
 		rings.push_back(std::move(path));
 	}
-	if (CountCrossings(rings, kMostCrossings) >= kMostCrossings)
-		throw TextError(TextErrorCode::Unsound, "a letter crosses itself too often");
+	CheckCrossings(rings);
 	rings = CheckedUnion(rings, kTrifle * kFinest * options.tolerance / grid.step);
 	if (options.embolden == 0) return rings;
 	ClipperLib::ClipperOffset offset(kMiterLimit);
 	offset.AddPaths(rings, ClipperLib::jtMiter, ClipperLib::etClosedPolygon);
 	offset.Execute(rings, options.embolden / grid.step);
 	return rings;
+}
+
+FlatBox<cInt> BoxOf(const Paths& rings, cInt margin)
+{
+	const IntPoint& first = rings.front().front();
+	FlatBox<cInt> box{first.X, first.Y, first.X, first.Y};
+	for (const Path& ring : rings) {
+		for (const IntPoint& p : ring) box.add({p.X, p.Y, p.X, p.Y});
+	}
+	return {box.x0 - margin, box.y0 - margin, box.x1 + margin, box.y1 + margin};
+}
+
+/// Letters whose boxes meet, directly or over others, as lists of their indices: the others cannot touch, and need not be
+/// united. Clipper's time grows with the square of the letters side by side.
+std::vector<std::vector<std::size_t>> Neighbourhoods(const std::vector<Paths>& shapes, double finest)
+{
+	std::vector<FlatBox<cInt>> boxes;
+	for (const Paths& shape : shapes) boxes.push_back(BoxOf(shape, static_cast<cInt>(std::ceil(finest))));
+	const BoxTree<cInt> tree(boxes);
+	std::vector<char> seen(shapes.size(), 0);
+	std::vector<std::vector<std::size_t>> result;
+	for (std::size_t i = 0; i < shapes.size(); ++i) {
+		if (seen[i]) continue;
+		seen[i] = 1;
+		std::vector<std::size_t> members{i};
+		for (std::size_t k = 0; k < members.size(); ++k) {
+			tree.search(boxes[members[k]], [&](std::size_t other) {
+				if (!seen[other]) members.push_back(other);
+				seen[other] = 1;
+			});
+		}
+		result.push_back(std::move(members));
+	}
+	return result;
+}
+
+/// The letters' shapes as one set of rings.
+Paths UnitedShapes(const std::vector<Paths>& shapes, double finest)
+{
+	Paths all;
+	for (const std::vector<std::size_t>& members : Neighbourhoods(shapes, finest)) {
+		Paths rings;
+		for (const std::size_t i : members) rings.insert(rings.end(), shapes[i].begin(), shapes[i].end());
+		if (members.size() > 1) CheckCrossings(rings);
+		if (members.size() > 1) rings = CheckedUnion(rings, kTrifle * finest);
+		rings = Bridged(std::move(rings), finest);
+		all.insert(all.end(), rings.begin(), rings.end());
+	}
+	return all;
 }
 
 struct PointHash {
@@ -202,16 +258,16 @@ United UniteLetters(const std::vector<LetterRings>& letters, const UniteOptions&
 	const double finest = kFinest * options.tolerance / grid.step;
 	United result;
 	LetterOfPoint letterOf;
-	Paths all;
+	std::vector<Paths> shapes;
 	for (const LetterRings& letter : letters) {
-		const Paths shape = LetterShape(letter, options, grid);
+		Paths shape = LetterShape(letter, options, grid);
 		if (Cleaned(shape, finest).empty() && !letter.rings.empty()) result.vanished.push_back(letter.letter);
 		for (const Path& ring : shape) {
 			for (const IntPoint& p : ring) letterOf.emplace(p, letter.letter);
 		}
-		all.insert(all.end(), shape.begin(), shape.end());
+		if (!shape.empty()) shapes.push_back(std::move(shape));
 	}
-	result.outline = Assembled(Bridged(std::move(all), finest), letterOf, grid);
+	result.outline = Assembled(UnitedShapes(shapes, finest), letterOf, grid);
 	return result;
 }
 

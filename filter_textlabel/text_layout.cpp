@@ -182,6 +182,21 @@ double LeastRadius(double width, double baseline, bool hanging, double capitalHe
 	return hanging ? least + baseline : least - baseline;
 }
 
+/// Put a cluster's glyphs side by side, its middle where `place` has the origin.
+/// @param[in] form  see FormOf
+void AddGlyphs(const Cluster& cluster, int letter, const Affine& place, const Affine& form,
+               std::vector<PlacedGlyph>& placed)
+{
+	double pen = -cluster.advance / 2;
+	for (std::size_t i = cluster.begin; i < cluster.end; ++i) {
+		const ShapedGlyph& g = cluster.item->glyphs[i];
+		const vcg::Point2d offset = form({g.dx, g.dy});  // a mark leans with its letter
+		const Affine local{1, 0, 0, 1, pen + offset[0], offset[1]};
+		placed.push_back({cluster.item->font, g.glyph, letter, place.after(local)});
+		pen += form.xx * g.advance;
+	}
+}
+
 }  // namespace
 
 Affine FormOf(const LayoutOptions& options)
@@ -205,14 +220,8 @@ std::vector<PlacedGlyph> Layout(const std::vector<ShapedLine>& lines, const Font
 		const double start = LineStart(options.align, line.width);
 		for (const Cluster& cluster : line.clusters) {
 			const Affine place = ClusterPlace(start + cluster.x + cluster.advance / 2, baseline, options.arcRadius);
-			double pen = -cluster.advance / 2;
-			for (std::size_t i = cluster.begin; i < cluster.end; ++i) {
-				const ShapedGlyph& g = cluster.item->glyphs[i];
-				const vcg::Point2d offset = form({g.dx, g.dy});  // a mark leans with its letter
-				const Affine local{1, 0, 0, 1, pen + offset[0], offset[1]};
-				placed.push_back({cluster.item->font, g.glyph, letters.at({k, g.cluster}), place.after(local)});
-				pen += options.em * g.advance;
-			}
+			const int letter = letters.at({k, cluster.item->glyphs[cluster.begin].cluster});
+			AddGlyphs(cluster, letter, place, form, placed);
 		}
 	}
 	if (options.arcRadius != 0 && std::abs(options.arcRadius) < leastRadius)

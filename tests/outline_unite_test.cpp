@@ -179,6 +179,14 @@ TEST(UniteLetters, SaysWhichLettersVanish)
 	EXPECT_NEAR(Area(united.outline), 2.8 * 8.8, 1e-5);
 }
 
+TEST(UniteLetters, RefusesWhatCrossesItselfWithoutEnd)
+{
+	std::mt19937 random(1);
+	Ring tangle;
+	for (int i = 0; i < 3000; ++i) tangle.push_back({double(random() % 1000000), double(random() % 1000000)});
+	EXPECT_THROW(UniteLetters({{0, {tangle}}}, {1, 0}), TextError);
+}
+
 TEST(UniteLetters, RefusesAToleranceBelowTheGrid)
 {
 	const Ring wide{{0, 0}, {1e9, 0}, {1e9, 1}};
