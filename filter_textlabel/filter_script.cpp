@@ -117,10 +117,14 @@ std::string FilterScript(const LabelRequest& request)
 	std::string script =
 		"<!DOCTYPE FilterScript>\n<FilterScript>\n <filter name=\"" + std::string(filterName) + "\">\n";
 	for (const Parameter& parameter : ParameterTable()) {
+		if (parameter.advanced) continue;
 		script += "  <Param" + Attribute(parameter, "name", parameter.name);
 		VisitMember(parameter, request, [&](const auto& value) { script += Attributes(parameter, value); });
 		script += "/>\n";
 	}
+	const Parameter more{moreName, moreLabel, "", &LabelRequest::text};
+	const std::string text = MoreText(request);
+	script += "  <Param" + Attribute(more, "name", moreName) + Attributes(more, text) + "/>\n";
 	return script + " </filter>\n</FilterScript>\n";
 }
 

@@ -134,21 +134,17 @@ QString FilterTitle() { return filterName; }
 
 QString FilterDescription()
 {
-	return "Cuts a text into the surface, standing out of it, sunk into it, or flat in another colour. Only the "
-		   "triangles under the "
-		   "letters change; a closed mesh stays closed, ready to print.<br>"
-		   "Turn the part so that the place of the label is in the centre of the window, type the text, press Apply. "
-		   "Or give the "
-		   "place by numbers, or let the filter choose it.<br>"
-		   "See: <i>Greg Slabaugh, Viorel Mihalef, Gozde Unal</i>, <b>\"A Contour-Based Approach to 3D Text Labeling "
-		   "on "
-		   "Triangulated Surfaces\"</b>, 3-D Digital Imaging and Modeling (3DIM) 2005.";
+	return "Cuts a text into the surface: raised, sunk, or flat in another colour. Turn the part until the place of "
+		   "the label is in "
+		   "the centre of the window, and press Apply.<br>See: <i>Slabaugh, Mihalef, Unal</i>, <b>\"A Contour-Based "
+		   "Approach to 3D "
+		   "Text Labeling on Triangulated Surfaces\"</b>, 3DIM 2005.";
 }
 
 int FilterPostCondition()
 {
 	return MeshModel::MM_VERTCOORD | MeshModel::MM_VERTNUMBER | MeshModel::MM_FACENUMBER | MeshModel::MM_FACEVERT |
-	       MeshModel::MM_FACENORMAL | MeshModel::MM_VERTNORMAL | MeshModel::MM_FACECOLOR | MeshModel::MM_FACEFLAGSELECT;
+	       MeshModel::MM_FACENORMAL | MeshModel::MM_VERTNORMAL | MeshModel::MM_FACEFLAGSELECT;
 }
 
 void AddFilterParameters(const MeshModel& model, RichParameterList& list)

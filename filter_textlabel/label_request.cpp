@@ -28,6 +28,27 @@ std::vector<std::string> Split(const std::string& text, char separator)
 	return parts;
 }
 
+std::string Trimmed(const std::string& text)
+{
+	const size_t first = text.find_first_not_of(" \t"), last = text.find_last_not_of(" \t");
+	return first == std::string::npos ? std::string() : text.substr(first, last - first + 1);
+}
+
+/// The items between semicolons, blank ones left out; a backslash takes the meaning from the character behind it.
+std::vector<std::string> SplitItems(const std::string& text)
+{
+	std::vector<std::string> items{""};
+	for (size_t i = 0; i < text.size(); ++i) {
+		if (text[i] == ';') items.emplace_back();
+		else if (text[i] == '\\' && i + 1 < text.size()) items.back() += text[++i];
+		else items.back() += text[i];
+	}
+	items.erase(
+		std::remove_if(items.begin(), items.end(), [](const std::string& item) { return Trimmed(item).empty(); }),
+		items.end());
+	return items;
+}
+
 std::string LowerCase(std::string text)
 {
 	for (char& c : text) c = char(std::tolower(static_cast<unsigned char>(c)));
@@ -166,6 +187,42 @@ void SetValue(const Parameter& parameter, LabelRequest& request, const std::stri
 	VisitMember(parameter, request, [&](auto& value) {
 		if (!Read(text, value)) throw RequestError(RequestProblem::UnreadableValue, parameter.name, text);
 	});
+}
+
+std::string MoreHelp()
+{
+	std::string help = "Written as name=value; name=value. There are:";
+	for (const Parameter& p : ParameterTable())
+		if (p.advanced) help += std::string(" <b>") + p.name + "</b>: " + p.help;
+	return help;
+}
+
+std::string MoreText(const LabelRequest& request)
+{
+	const LabelRequest defaults;
+	std::string text;
+	for (const Parameter& p : ParameterTable()) {
+		const std::string value = ValueText(p, request);
+		if (!p.advanced || value == ValueText(p, defaults)) continue;
+		text += (text.empty() ? "" : "; ") + std::string(p.name) + "=";
+		for (const char c : value) {
+			if (c == ';' || c == '\\') text += '\\';
+			text += c;
+		}
+	}
+	return text;
+}
+
+void SetMore(LabelRequest& request, const std::string& text)
+{
+	for (const std::string& item : SplitItems(text)) {
+		const size_t equals = item.find('=');
+		const std::string name = Trimmed(item.substr(0, equals));
+		const Parameter* const parameter = FindParameter(name);
+		if (!parameter || !parameter->advanced || equals == std::string::npos)
+			throw RequestError(RequestProblem::UnknownParameter, name);
+		SetValue(*parameter, request, Trimmed(item.substr(equals + 1)));
+	}
 }
 
 TextOptions TextOptionsOf(const LabelRequest& request, double size)

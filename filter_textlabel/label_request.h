@@ -78,7 +78,7 @@ struct Parameter {
 	const char* help;
 	ParameterField field;
 	ParameterUse use = ParameterUse::Value;
-	bool advanced = false;  ///< a dialog may fold it away
+	bool advanced = false;  ///< folded away in dialogs; in MeshLab 2020.09, which cannot, a part of `more`
 
 	/// Ending of the file that this parameter names and the filter writes, or null.
 	const char* fileEnding() const
@@ -121,6 +121,20 @@ std::string ValueText(const Parameter& parameter, const LabelRequest& request);
 /// Set a member from such a text; choices also in lower case, as a beginning of the name, or as number.
 /// @throws RequestError{UnreadableValue} with the parameter's name
 void SetValue(const Parameter& parameter, LabelRequest& request, const std::string& text);
+
+/// Where a host has one text for all advanced parameters (MeshLab 2020.09, whose dialog would outgrow the screen): its name.
+constexpr const char* moreName = "more";
+constexpr const char* moreLabel = "More options";
+/// How to write it, and what there is.
+std::string MoreHelp();
+
+/// The advanced parameters that are not at their defaults: "slant=12; mirrored=true". A backslash stands before a semicolon or
+/// a backslash within a value.
+std::string MoreText(const LabelRequest& request);
+
+/// Set advanced parameters from such a text.
+/// @throws RequestError{UnknownParameter, UnreadableValue}
+void SetMore(LabelRequest& request, const std::string& text);
 
 /// How the text is to be set at a capital height.
 TextOptions TextOptionsOf(const LabelRequest& request, double size);

@@ -20,6 +20,7 @@ make_meshlab_tree() {
 # start_display FOLDER SIZE: start a virtual display; DISPLAY is set, display_pid is the process to end. FOLDER is for its files.
 start_display() {
 	local folder=$1 size=$2 waited=0
+	: >"$folder/display"
 	Xvfb -displayfd 9 -screen 0 "$size" +extension GLX -nolisten tcp 9>"$folder/display" >"$folder/display.log" 2>&1 &
 	display_pid=$!
 	until [ -s "$folder/display" ]; do

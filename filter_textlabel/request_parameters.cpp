@@ -90,6 +90,12 @@ void Require(bool hasType, const Parameter& p)
 	if (!hasType) throw RequestError(RequestProblem::UnreadableValue, p.name, "a value of another type");
 }
 
+const Value& Held(const RichParameterList& list, const char* name)
+{
+	if (!list.hasParameter(name)) throw RequestError(RequestProblem::UnknownParameter, name);
+	return list.getParameterByName(name).value();
+}
+
 #if MESHLAB_API == 2020
 bool IsFile(const Value& value) { return value.isFileName(); }
 bool IsPoint(const Value& value) { return value.isPoint3f(); }
@@ -142,22 +148,43 @@ void ReadMember(const RichParameterList& list, const Parameter& p, const Value& 
 	value = Choice(number);
 }
 
+#if MESHLAB_API == 2020
+/// Its dialog cannot fold parameters away and would outgrow the screen.
+bool IsListed(const Parameter& p) { return !p.advanced; }
+
+void AddMore(const LabelRequest& request, RichParameterList& list)
+{
+	const QString help = QString::fromStdString(MoreHelp());
+	list.addParam(RichString(moreName, QString::fromStdString(MoreText(request)), moreLabel, help));
+}
+
+void ReadMore(const RichParameterList& list, LabelRequest& request)
+{
+	const Value& held = Held(list, moreName);
+	if (!held.isString()) throw RequestError(RequestProblem::UnreadableValue, moreName, "a value of another type");
+	SetMore(request, held.getString().toStdString());
+}
+#else
+bool IsListed(const Parameter&) { return true; }
+void AddMore(const LabelRequest&, RichParameterList&) {}
+void ReadMore(const RichParameterList&, LabelRequest&) {}
+#endif
+
 }  // namespace
 
 void AddParameters(const LabelRequest& request, RichParameterList& list)
 {
 	for (const Parameter& p : ParameterTable())
-		VisitMember(p, request, [&](const auto& value) { list.addParam(*ParameterOf(p, value)); });
+		if (IsListed(p)) VisitMember(p, request, [&](const auto& value) { list.addParam(*ParameterOf(p, value)); });
+	AddMore(request, list);
 }
 
 LabelRequest ReadParameters(const RichParameterList& list)
 {
 	LabelRequest request;
-	for (const Parameter& p : ParameterTable()) {
-		if (!list.hasParameter(p.name)) throw RequestError(RequestProblem::UnknownParameter, p.name);
-		const Value& held = list.getParameterByName(p.name).value();
-		VisitMember(p, request, [&](auto& value) { ReadMember(list, p, held, value); });
-	}
+	for (const Parameter& p : ParameterTable())
+		if (IsListed(p)) VisitMember(p, request, [&](auto& value) { ReadMember(list, p, Held(list, p.name), value); });
+	ReadMore(list, request);
 	return request;
 }
 
