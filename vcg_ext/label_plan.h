@@ -74,6 +74,7 @@ private:
 	void checkRoom(LabelPlan& plan) const;
 	[[noreturn]] void refuseHeight(const LabelPlan& plan, const PatchVerdict& verdict) const;
 	PatchVerdict check(const LabelPatch& patch) const;
+	std::vector<int> trianglesAround(int face) const;
 	void report(int percent) const;
 
 	const LabelSpace& space_;
@@ -154,10 +155,27 @@ inline bool LabelPlanner::attempt(const Outline& outline, bool last, LabelPlan& 
 			conflict = c;
 			plan.surfaceArea = 0;
 			plan.stretch = 1;
+		} catch (const Error& e) {  // a triangle without area has no front: it looks like a horizon
+			if (e.code != ErrorCode::Silhouette || !FlipCaps(sheet_, trianglesAround(e.face), capUlps * meshUlp_))
+				throw;
+			continue;
 		}
 		if (!FlipCaps(sheet_, cutter.visited(), capUlps * meshUlp_)) break;
 	}
 	return false;
+}
+
+/// The sheet triangle of a face of the mesh, and its neighbours.
+inline std::vector<int> LabelPlanner::trianglesAround(int face) const
+{
+	std::vector<int> around;
+	for (int t = 0; t < int(sheet_.triangles.size()); ++t) {
+		if (sheet_.triangles[size_t(t)].face != face) continue;
+		around.push_back(t);
+		for (int h = 3 * t; h < 3 * t + 3; ++h)
+			if (sheet_.twin[size_t(h)] >= 0) around.push_back(sheet_.twin[size_t(h)] / 3);
+	}
+	return around;
 }
 
 /// From the cut to a patch that is sound on rounded coordinates.

@@ -84,6 +84,22 @@ inline std::vector<vcg::Point3d> SmoothNormals(const CutLabel& cut, const std::v
 	return normal;
 }
 
+/// A vertex that moves with a letter must belong to it alone: where two sheets touch in a vertex, both would move.
+inline void RequireOwnVertices(const Sheet& sheet, const LabelPatch& patch)
+{
+	std::vector<char> shared(sheet.vertices.size(), 0);
+	for (const PatchFace& f : patch.faces)
+		for (const int v : f.vertex)
+			if (f.kind == FaceKind::Outside && v < int(shared.size())) shared[size_t(v)] = 1;
+	for (const auto& [v, to] : patch.moved) {
+		bool own = !shared[size_t(v)];
+		for (int i = sheet.vertexStart[size_t(v)]; i < sheet.vertexStart[size_t(v) + 1]; ++i)
+			own = own && std::binary_search(patch.removed.begin(), patch.removed.end(), sheet.vertexFan[size_t(i)]);
+		if (!own)
+			throw Error(ErrorCode::NonManifold, "two sheets touch in a vertex").atPlace(sheet.vertices[size_t(v)].mesh);
+	}
+}
+
 }  // namespace detail
 
 inline LabelPatch RaiseLabel(const LabelSpace& space, const Sheet& sheet, const CutLabel& cut, double height,
@@ -151,6 +167,7 @@ inline LabelPatch RaiseLabel(const LabelSpace& space, const Sheet& sheet, const 
 			patch.removed.insert(std::lower_bound(patch.removed.begin(), patch.removed.end(), t), t);
 		}
 	if (height == 0) return patch;
+	detail::RequireOwnVertices(sheet, patch);
 	std::sort(besidePiece.begin(), besidePiece.end());
 	for (const ContourPiece& piece : cut.pieces) {
 		const auto beside =

@@ -200,6 +200,7 @@ void CollectTriangles(const MeshType& m, const LabelSpace& space, const std::vec
 		}
 		sheet.isEmpty = false;
 		if (a & b & c) continue;
+		if (v[0] == v[1] || v[1] == v[2] || v[2] == v[0]) continue;  // a line: its edges pair with each other
 		if (space.mirrors()) std::swap(v[1], v[2]);
 		sheet.triangles.push_back({v, int(f), false});
 	}
