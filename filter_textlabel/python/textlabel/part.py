@@ -4,7 +4,7 @@ import os
 
 import pymeshlab
 
-from .plugin import FILTER, LabelError, check_value, load_plugin
+from .plugin import FILTER, LabelError, check_values, load_plugin
 
 
 def label(mesh, text, output=None, **parameters):
@@ -12,7 +12,8 @@ def label(mesh, text, output=None, **parameters):
 
     mesh: a mesh file; or a pymeshlab.MeshSet, whose current mesh is labelled in place.
     output: the file to write; None for a MeshSet that is to be worked on further.
-    parameters: of the filter, see defaults(); a place needs placement="Point and direction", position, direction.
+    parameters: of the filter, see defaults(). A position or direction without a placement means "Point and direction", a camera
+    "Camera"; a colour means that raised letters get it too.
     Returns the report. Raises LabelError; a MeshSet is then as it was, and no file is written.
     """
     if isinstance(mesh, pymeshlab.MeshSet):
@@ -54,7 +55,7 @@ class Part:
 
 def _apply(mesh_set, text, parameters):
     load_plugin()
-    values = {name: check_value(name, value) for name, value in {**parameters, "text": text}.items()}
+    values = check_values({**parameters, "text": text})
     try:
         report = mesh_set.apply_filter(FILTER, **values)
     except Exception as error:  # PyMeshLab has several kinds, without a common base

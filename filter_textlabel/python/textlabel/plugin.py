@@ -88,6 +88,18 @@ def check_value(name, value):
         raise LabelError(f"The parameter {name} takes {_TAKES[kind]}, not {value!r}.") from None
 
 
+def check_values(values):
+    """All values as PyMeshLab takes them, with what they imply: a position is meant to be used. Raises as check_value()."""
+    checked = {name: check_value(name, value) for name, value in values.items()}
+    if "camera" in checked:
+        checked.setdefault("placement", "Camera")
+    if "position" in checked or "direction" in checked:
+        checked.setdefault("placement", "Point and direction")
+    if "color" in checked:
+        checked.setdefault("tint", True)
+    return checked
+
+
 def parse_value(name, text):
     """The value that a text means, as written in a table or on the command line: 1.5; true; 0,0,1; ff8000; Engrave."""
     check_name(name)

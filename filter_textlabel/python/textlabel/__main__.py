@@ -1,0 +1,187 @@
+"""The command line: python -m textlabel label | serial."""
+
+import argparse
+import json
+import os
+import pathlib
+import re
+import sys
+
+from . import serial, tasks
+from .part import label
+from .plugin import LabelError, parse_value
+from .tasks import UsageError
+from .template import Template, TemplateError
+
+EPILOG = """\
+label    python -m textlabel label bracket.stl labelled.stl A43 --size 14 --depth 1.5
+
+serial   One labelled file for each row of a table (CSV), or for each number, and each part:
+
+           python -m textlabel serial bracket.stl --csv serials.csv --output out
+           python -m textlabel serial bracket.stl housing.stl --count 1000 --output out
+
+exit     0 all labelled; 1 refused, or some rows failed; 2 wrong usage, nothing was started; 130 interrupted"""
+
+SERIAL = """\
+Make one labelled file for each row and part.
+
+The table has a header line. Its columns: text (the serial), part (a mesh file, beside the table or one of PART; without it every PART is
+labelled), any parameter of the filter (size, depth, position, ...: it counts for its row), and others for the templates.
+Templates hold fields in braces: {part} (name of the mesh without ending), {n} (number of the row, as {n:04}), {text}, any column.
+
+The folder gets the files and manifest.jsonl, one JSON object for each file: file, text, sha256, the part and its sha256, settings and
+report. Run the same command again after an interruption: what is there and whole is kept. Serials that stand twice are refused before
+anything starts; rows that fail do not stop the others and are listed at the end and in failed.csv."""
+
+SHOWN = 20  # failed rows on the terminal
+
+# flag, parameter, help
+FLAGS = [
+    ("--at", "position", "X,Y,Z: label this point of the surface (default: the largest flat region that holds the text)"),
+    ("--direction", "direction", "X,Y,Z: from the surface towards the viewer (default 0,0,1)"),
+    ("--up", "up", "X,Y,Z: where the top of the letters points"),
+    ("--rotate", "rotation", "degrees, counter-clockwise"),
+    ("--style", "style", "emboss, engrave or flat"),
+    ("--size", "size", "height of a capital letter, mesh units"),
+    ("--depth", "depth", "mesh units"),
+    ("--along", "extrude_along", "viewpoint, label normal or surface normal"),
+    ("--font", "font", "family or font file"),
+    ("--color", "color", "RRGGBB, of the letters' faces"),
+]
+
+
+def _parser():
+    parser = argparse.ArgumentParser(
+        prog="textlabel",
+        description="Cut texts into mesh files.",
+        epilog=EPILOG,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
+    commands = parser.add_subparsers(dest="command", required=True, metavar="label | serial")
+    one = commands.add_parser("label", help="label one part and print the report (JSON)")
+    one.add_argument("input", help="mesh file")
+    one.add_argument("output", help="mesh file to write")
+    one.add_argument("text", help="the text; \\n breaks a line")
+    _add_parameters(one)
+    many = commands.add_parser(
+        "serial",
+        help="serial numbers on one or many parts",
+        description=SERIAL,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
+    many.add_argument("parts", nargs="*", metavar="PART", help="mesh file")
+    source = many.add_mutually_exclusive_group(required=True)
+    source.add_argument("--csv", metavar="FILE", help="the table of serials")
+    source.add_argument("--count", type=int, metavar="N", help="no table: so many numbers")
+    many.add_argument("--first", type=int, default=1, metavar="N", help="the first number {n} (default 1)")
+    many.add_argument("--text", metavar="TEMPLATE", help="the texts (default: the column text; with --count {part}-{n:04})")
+    many.add_argument("--name", metavar="TEMPLATE", help="file names without ending (default {part}-{text}; with --count {text})")
+    many.add_argument("--format", default="", metavar="ENDING", help="stl, ply, obj or off (default: as the part)")
+    many.add_argument("--output", required=True, metavar="FOLDER", help="for files and manifest; made when missing")
+    many.add_argument("--jobs", type=int, default=os.cpu_count() or 1, metavar="N", help="processes (default: one per CPU)")
+    many.add_argument("--overwrite", action="store_true", help="replace files that were made otherwise, or by others")
+    many.add_argument("--quiet", action="store_true", help="no progress bar")
+    _add_parameters(many)
+    return parser
+
+
+def _add_parameters(parser):
+    group = parser.add_argument_group("label")
+    for flag, name, text in FLAGS:
+        group.add_argument(flag, dest=f"set_{name}", metavar=name.upper(), help=text)
+    group.add_argument("--set", action="append", default=[], metavar="NAME=VALUE", help="any parameter of the filter")
+
+
+def _settings(arguments):
+    """Parameters of the filter as texts."""
+    settings = {name: getattr(arguments, f"set_{name}") for _, name, _ in FLAGS}
+    settings = {name: text for name, text in settings.items() if text is not None}
+    for assignment in arguments.set:
+        name, equals, text = assignment.partition("=")
+        if not equals:
+            raise UsageError(f"--set {assignment}: write NAME=VALUE.")
+        settings[name] = text
+    for name, text in settings.items():
+        parse_value(name, text)
+    return settings
+
+
+def _label(arguments):
+    settings = {name: parse_value(name, text) for name, text in _settings(arguments).items()}
+    print(json.dumps(label(arguments.input, arguments.text, arguments.output, **settings), indent=1))
+    return 0
+
+
+def _serial(arguments):
+    if arguments.jobs < 1 or (arguments.count is not None and arguments.count < 1):
+        raise UsageError("--jobs and --count take numbers from 1.")
+    text = arguments.text or (None if arguments.csv else "{part}-{n:04}")
+    plan = tasks.Plan(
+        parts=[pathlib.Path(part) for part in arguments.parts],
+        text=Template(text) if text else None,
+        name=Template(arguments.name or ("{part}-{text}" if arguments.csv or arguments.text else "{text}")),
+        ending=arguments.format.lstrip("."),
+        settings=_settings(arguments),
+    )
+    missing = [str(part) for part in plan.parts if not part.is_file()]
+    if missing:
+        raise UsageError(f"There is no mesh {', '.join(missing)}. Check the name.")
+    if arguments.csv:
+        rows = tasks.read_table(arguments.csv, arguments.first)
+        unused = tasks.check_columns(rows, plan)
+        if unused:
+            print(f"textlabel: columns that nothing uses: {', '.join(unused)}", file=sys.stderr)
+    else:
+        rows = tasks.number_rows(arguments.first, arguments.count)
+    todo, problems = tasks.make_tasks(rows, plan, pathlib.Path(arguments.csv or ".").parent)
+    outcome = serial.run(todo, problems, arguments.output, arguments.jobs, arguments.overwrite, arguments.quiet)
+    return _conclude(outcome, len(todo), arguments.output)
+
+
+def _conclude(outcome, total, folder):
+    for problem in outcome.problems[:SHOWN]:
+        print(f"textlabel: row {problem.row} ({problem.what}): {problem.reason}", file=sys.stderr)
+    if len(outcome.problems) > SHOWN:
+        print(f"textlabel: and {len(outcome.problems) - SHOWN} more, see {serial.FAILED} there", file=sys.stderr)
+    kept = f", {outcome.kept} were there" if outcome.kept else ""
+    failed = f", {len(outcome.problems)} failed" if outcome.problems else ""
+    print(f"textlabel: {outcome.made} made at {outcome.rate:.1f}/s{kept}{failed}: {folder}", file=sys.stderr)
+    if outcome.interrupted and outcome.made + outcome.kept < total:
+        print("textlabel: interrupted; the same command again makes the rest", file=sys.stderr)
+        return 130
+    return 1 if outcome.problems else 0
+
+
+def _join_negative(arguments):
+    """-1,0,0 after a flag is its value; argparse would take it for a flag."""
+    joined = []
+    for argument in arguments:
+        if joined and joined[-1] in {flag for flag, _, _ in FLAGS} and re.match(r"-[\d.]", argument):
+            joined[-1] += "=" + argument
+        else:
+            joined.append(argument)
+    return joined
+
+
+def main(arguments=None):
+    """Run the command line; returns the exit status."""
+    parsed = _parser().parse_args(_join_negative(sys.argv[1:] if arguments is None else arguments))
+    try:
+        return _label(parsed) if parsed.command == "label" else _serial(parsed)
+    except LabelError as error:
+        print(f"textlabel: {error}", file=sys.stderr)
+        return 1
+    except (UsageError, TemplateError) as error:
+        print(f"textlabel: {error}", file=sys.stderr)
+        return 2
+    except OSError as error:
+        print(f"textlabel: {error}. When that is mended, the same command again makes the rest.", file=sys.stderr)
+        return 1
+    except KeyboardInterrupt:
+        print("textlabel: stopped; the same command again makes the rest", file=sys.stderr)
+        return 130
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,184 @@
+"""What is to be made: the rows of a table, or numbers, times the parts; checked before anything is started."""
+
+import csv
+import dataclasses
+import os
+import pathlib
+import unicodedata
+
+from . import plugin
+from .template import Template, TemplateError, file_part
+
+OWN_COLUMNS = ("part", "text", "n")
+
+
+class UsageError(Exception):
+    """The job cannot be started as it is asked for; the text says what to change."""
+
+
+@dataclasses.dataclass
+class Task:
+    """One file to make."""
+
+    row: int  # of the table, the first one after the header being 1; without a table the number n
+    part: pathlib.Path
+    text: str
+    file: str  # below the output folder, with slashes
+    settings: dict  # parameters of the filter as texts, those of the row over those of the job
+
+
+def serial_of(text):
+    """The same for texts that look the same on a part."""
+    return unicodedata.normalize("NFC", " ".join(text.split()))
+
+
+@dataclasses.dataclass
+class Problem:
+    """A row that gives no file."""
+
+    row: int
+    what: str  # part and text, as far as known
+    reason: str
+
+
+@dataclasses.dataclass
+class Plan:
+    """How rows become tasks."""
+
+    parts: list  # paths given for all rows
+    text: Template  # of the label; None: the table's column text
+    name: Template  # of the file, without ending
+    ending: str  # of the files; empty: the part's own
+    settings: dict  # of all rows
+
+
+def number_rows(first, count):
+    """Rows without a table: n alone."""
+    return [(n, {"n": n}) for n in range(first, first + count)]
+
+
+def read_table(path, first):
+    """Rows of a CSV file (UTF-8, comma, semicolon or tab, a header line): [(row number, {column: text})].
+
+    n counts the rows from first. Raises UsageError when the file is no such table.
+    """
+    try:
+        with open(path, encoding="utf-8-sig", newline="") as file:
+            header = file.readline()
+            file.seek(0)
+            delimiter = max(",;\t", key=header.count)
+            rows = list(csv.reader(file, delimiter=delimiter, strict=True))
+    except OSError as error:
+        raise UsageError(f"The table {path} cannot be read: {error.strerror}.") from None
+    except UnicodeDecodeError as error:
+        raise UsageError(f"The table {path} is not UTF-8 (byte {error.start}). Save it as CSV in UTF-8.") from None
+    except csv.Error as error:
+        raise UsageError(f"The table {path} cannot be read: {error}.") from None
+    columns = [name.strip() for name in rows[0]] if rows else []
+    if not any(columns) or len(set(columns)) < len(columns):
+        raise UsageError(f"The table {path} needs a first line with a different name for each column, as text,part.")
+    return [
+        (index, {"n": first + index - 1, **_cells(columns, cells)})
+        for index, cells in enumerate(rows[1:], 1)
+        if any(cell.strip() for cell in cells)
+    ]
+
+
+def _cells(columns, cells):
+    named = dict(zip(columns, cells))
+    if len(cells) != len(columns):
+        named[None] = f"The row has {len(cells)} cells where the header has {len(columns)}."
+    return named
+
+
+def check_columns(rows, plan):
+    """Names of the columns that nothing uses. Raises UsageError when one looks like a misspelt parameter."""
+    columns = [name for name in (rows[0][1] if rows else {}) if isinstance(name, str)]
+    used = set(OWN_COLUMNS) | set(plan.name.fields) | set(plan.text.fields if plan.text else ())
+    unused = [name for name in columns if name not in used and name not in plugin.defaults()]
+    for name in unused:
+        near = plugin.near_names(name)
+        if near:
+            raise UsageError(f"The table has a column '{name}'. Did you mean the parameter {near[0]}? Rename it.")
+    return unused
+
+
+def make_tasks(rows, plan, table_folder):
+    """Tasks for all rows, in order of the rows, and the problems of the rows that cannot be used.
+
+    Raises UsageError when a template cannot be filled in, or serials or file names are not all different.
+    """
+    _check_fields(rows, plan)
+    tasks, problems = [], []
+    for row, values in rows:
+        for part in _parts(values, plan, table_folder):
+            try:
+                tasks.append(_task(row, part, values, plan))
+            except (plugin.LabelError, TemplateError) as error:
+                problems.append(Problem(row, f"{part.name}, '{values.get('text', '')}'", str(error)))
+    _refuse_duplicates(tasks)
+    return tasks, problems
+
+
+def _check_fields(rows, plan):
+    """What no row could do without."""
+    columns = {name for _, values in rows for name in values if name is not None}
+    if not plan.parts and "part" not in columns:
+        raise UsageError("No part is given: name mesh files on the command line, or in a column 'part'.")
+    if plan.text is None and "text" not in columns:
+        raise UsageError("The table has no column 'text': add one, or make the texts by --text TEMPLATE.")
+    if plan.text is not None:
+        plan.text.check(columns | {"part"})
+    plan.name.check(columns | {"part", "text"})
+
+
+def _parts(values, plan, table_folder):
+    """The parts of a row: the one that it names, among those given or beside the table; else all that are given."""
+    name = (values.get("part") or "").strip()
+    if not name:
+        return plan.parts or [table_folder]  # which is no mesh
+    return [part for part in plan.parts if name in (part.name, part.stem, str(part))] or [table_folder / name]
+
+
+def _task(row, part, values, plan):
+    if None in values:
+        raise plugin.LabelError(values[None])
+    if not part.is_file():
+        raise plugin.LabelError(f"There is no mesh '{part}'. Check its name.")
+    fields = {**values, "part": part.stem}
+    text = plan.text.fill(fields) if plan.text is not None else fields["text"]
+    if not text.strip():
+        raise plugin.LabelError("The text is empty. Write the serial number into the row.")
+    plugin.check_value("text", text)
+    settings = dict(plan.settings)
+    settings.update({name: fields[name] for name in plugin.defaults() if name != "text" and fields.get(name)})
+    for name, value in settings.items():
+        plugin.parse_value(name, value)
+    return Task(row, part, text, _file_name(part, text, fields, plan), settings)
+
+
+def _file_name(part, text, fields, plan):
+    safe = {name: file_part(value) if isinstance(value, str) else value for name, value in fields.items()}
+    name = plan.name.fill({**safe, "text": file_part(text)})
+    steps = name.split("/")
+    if not name or name.startswith(("/", "\\")) or any(step in ("", ".", "..") or step.startswith(".") for step in steps):
+        raise UsageError(f"The file name '{name}' would leave the output folder or be hidden. Change --name.")
+    return f"{name}.{plan.ending or part.suffix.lstrip('.') or 'stl'}"
+
+
+def _refuse_duplicates(tasks):
+    serials, files = {}, {}
+    for task in tasks:
+        key = (os.path.realpath(task.part), serial_of(task.text))
+        if key in serials:
+            raise UsageError(
+                f"The serial '{task.text}' stands twice for {task.part.name}: in rows {serials[key].row} and {task.row}. "
+                "Nothing was started; make the serials unique."
+            )
+        serials[key] = task
+        other = files.setdefault(task.file.casefold(), task)  # some file systems do not tell A from a
+        if other is not task:
+            raise UsageError(
+                f"Rows {other.row} and {task.row} would write the same file '{task.file}'. "
+                "Nothing was started; use more fields in --name, as '{part}-{text}'."
+            )
