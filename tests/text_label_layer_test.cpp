@@ -9,10 +9,7 @@
 #include "test_mesh.h"
 
 #if defined(MESHLAB_SCALAR) && __has_include("common/ml_mesh_type.h")
-#include "common/ml_mesh_type.h"  // until 2020
-#define HAS_MESHLAB_MESH
-#elif defined(MESHLAB_SCALAR) && __has_include("common/ml_document/cmesh.h")
-#include "common/ml_document/cmesh.h"
+#include "common/ml_mesh_type.h"  // of 2020; that of later ones needs MeshLab's library
 #define HAS_MESHLAB_MESH
 #endif
 
