@@ -112,7 +112,7 @@ std::string PythonValue(const Type& value, const std::string& text)
 
 }  // namespace
 
-std::string FilterScript(const LabelRequest& request)
+std::string ScriptText(const LabelRequest& request)
 {
 	std::string script =
 		"<!DOCTYPE FilterScript>\n<FilterScript>\n <filter name=\"" + std::string(filterName) + "\">\n";

@@ -11,7 +11,7 @@ constexpr const char* pythonName = "apply_text_label";  ///< in PyMeshLab
 /// A filter script for meshlabserver and for MeshLab's script dialog, with every parameter of the table: Debian's build
 /// ends with an assert when one is missing.
 /// @throws RequestError{UnreadableValue} when a text holds what XML cannot carry: a control character, or bytes that are no UTF-8
-std::string FilterScript(const LabelRequest& request);
+std::string ScriptText(const LabelRequest& request);
 
 /// The same as one line of Python: ms.apply_filter('apply_text_label', text='A43', ...), without what is at its default.
 std::string PythonCall(const LabelRequest& request);

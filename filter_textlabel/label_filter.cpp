@@ -163,7 +163,7 @@ FilterOutcome ApplyFilter(MeshDocument& document, const RichParameterList& list,
 		if (!outcome.ok) return Say(outcome.message, log);
 		Say(ReportJson(outcome.report), log);
 #if MESHLAB_API == 2020
-		log(FilterScript(outcome.report.request));
+		log(ScriptText(outcome.report.request));
 #else
 		log(PythonCall(outcome.report.request));
 #endif

@@ -27,7 +27,7 @@ int main(int argc, char** argv)
 	try {
 		textlabel::LabelRequest request;
 		for (int i = 1; i < argc; ++i) Apply(argv[i], request);
-		std::cout << textlabel::FilterScript(request);
+		std::cout << textlabel::ScriptText(request);
 		return std::cout.flush() ? 0 : 1;
 	} catch (const textlabel::RequestError& error) {
 		std::cerr << textlabel::ErrorText(error) << '\n';

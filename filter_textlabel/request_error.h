@@ -10,7 +10,6 @@ enum class RequestProblem {
 	UnknownParameter,       ///< parameter: the name
 	UnreadableValue,        ///< detail: the text
 	NotANumber,             ///< NaN or infinite
-	NotPositive,            ///< value, and the parameter has no "chosen to fit"
 	NeitherPositiveNorFit,  ///< value; -1 would be "chosen to fit"
 	LargerThanPart,         ///< value, limit: the part's diagonal
 	OutOfRange,             ///< value, limit: the bound that it breaks

@@ -1,0 +1,80 @@
+// Every refusal has a sentence that says what, where and what to do.
+
+#include "filter_textlabel/error_text.h"
+
+#include <gtest/gtest.h>
+#include <set>
+
+using namespace textlabel;
+using vcg::textlabel::Error;
+using vcg::textlabel::ErrorCode;
+
+namespace {
+
+/// At least a statement and a remedy: two sentences, each with an end, none that is cut off; no line break.
+void ExpectReadable(const std::string& text)
+{
+	EXPECT_GE(text.size(), 30u) << text;
+	EXPECT_EQ(text.find('\n'), std::string::npos) << text;
+	EXPECT_TRUE(text.back() == '.' || text.back() == ')') << text;
+	EXPECT_TRUE((text[0] >= 'A' && text[0] <= 'Z') || text[0] == '\'') << text;
+	EXPECT_EQ(text.find("  "), std::string::npos) << text;
+	EXPECT_EQ(text.find(".."), std::string::npos) << text;
+	EXPECT_EQ(text.find("nan"), std::string::npos) << text;
+}
+
+}  // namespace
+
+TEST(ErrorText, EveryCodeOfTheLibraryHasItsOwn)
+{
+	std::set<std::string> texts;
+	for (int code = 0; code <= int(ErrorCode::OutOfMemory); ++code) {
+		const std::string text = ErrorText(Error(ErrorCode(code), "detail"));
+		ExpectReadable(text);
+		EXPECT_TRUE(texts.insert(text).second) << "twice: " << text;
+	}
+}
+
+TEST(ErrorText, SaysWhichLetterAndWhere)
+{
+	const ErrorContext context{{"A", "ß", "漢"}, 5, 0.5};
+	for (int code = int(ErrorCode::OffSurface); code <= int(ErrorCode::HitsItself); ++code) {
+		EXPECT_TRUE(DependsOnPlace(ErrorCode(code)));
+		const std::string text = ErrorText(Error(ErrorCode(code)).atLetter(2).atPlace({1.5, -2, 1e6}), context);
+		EXPECT_NE(text.find("'漢'"), std::string::npos) << text;
+		EXPECT_NE(text.find("(1.5, -2, 1e+06)"), std::string::npos) << text;
+		EXPECT_NO_THROW(ErrorText(Error(ErrorCode(code)).atLetter(99), context));
+	}
+	EXPECT_FALSE(DependsOnPlace(ErrorCode::BadHeight));
+	EXPECT_FALSE(DependsOnPlace(ErrorCode::Cancelled));
+}
+
+TEST(ErrorText, GivesTheNumbers)
+{
+	const ErrorContext context{{"A"}, 5, -0.5};
+	const std::string wall = ErrorText(Error(ErrorCode::HitsSurface).atLetter(0).measured(0.5, 0.125), context);
+	EXPECT_NE(wall.find("depth 0.5;"), std::string::npos) << wall;
+	EXPECT_NE(wall.find("room for 0.125"), std::string::npos) << wall;
+	EXPECT_NE(wall.find("below 0.125"), std::string::npos) << wall;
+	const std::string steep = ErrorText(Error(ErrorCode::Grazing).measured(12.25, 8), context);
+	EXPECT_NE(steep.find("12.25"), std::string::npos) << steep;
+	EXPECT_NE(steep.find("8 is allowed"), std::string::npos) << steep;
+	const std::string fine = ErrorText(Error(ErrorCode::TooFine).measured(1e-5, 2e-4), context);
+	EXPECT_NE(fine.find("1e-05"), std::string::npos) << fine;
+	EXPECT_NE(fine.find("0.0002"), std::string::npos) << fine;
+	EXPECT_EQ(ErrorText(Error(ErrorCode::HitsSurface), context).find("room"),
+	          std::string::npos);  // when it is not known
+}
+
+TEST(ErrorText, EveryProblemOfARequestHasItsOwn)
+{
+	std::set<std::string> texts;
+	for (int problem = 0; problem <= int(RequestProblem::FileNotWritten); ++problem) {
+		const std::string text = ErrorText(RequestError(RequestProblem(problem), "size", "detail").measured(3, 2));
+		if (problem != int(RequestProblem::UnreadableValue)) ExpectReadable(text);
+		EXPECT_TRUE(texts.insert(text).second) << "twice: " << text;
+	}
+	const std::string large = ErrorText(RequestError(RequestProblem::LargerThanPart, "depth").measured(30, 13.5));
+	EXPECT_NE(large.find("depth is 30"), std::string::npos) << large;
+	EXPECT_NE(large.find("13.5"), std::string::npos) << large;
+}
