@@ -58,6 +58,17 @@ struct SmallPolygon {
 	}
 };
 
+/// Whether an edge of one triangle keeps the other one beyond it, `sliver` of overlap forgiven. @pre both counter-clockwise
+inline bool AreApart(const std::array<vcg::Point2d, 3>& s, const std::array<vcg::Point2d, 3>& t, double sliver)
+{
+	for (size_t k = 0; k < 3; ++k) {
+		const vcg::Point2d edge = s[(k + 1) % 3] - s[k];
+		const double inside = std::max({edge ^ (t[0] - s[k]), edge ^ (t[1] - s[k]), edge ^ (t[2] - s[k])});
+		if (inside <= 0 || inside * inside <= sliver * sliver * edge.SquaredNorm()) return true;
+	}
+	return false;
+}
+
 /// Buckets of triangles over the label plane, to find those whose boxes meet a box.
 class TriangleGrid {
 public:
@@ -142,18 +153,20 @@ inline Clearance MeasureClearance(const LabelSpace& space, const Sheet& sheet, c
 	Clearance clearance;
 	for (int t = 0; t < int(sheet.triangles.size()); ++t) {
 		PlaneBox box;
-		detail::SmallPolygon whole;
-		for (const int v : sheet.triangles[size_t(t)].vertex) {
-			box.add(sheet.plane(v));
-			whole.add(sheet.plane(v));
-		}
+		const auto& vertex = sheet.triangles[size_t(t)].vertex;
+		std::array<vcg::Point2d, 3> corner = {sheet.plane(vertex[0]), sheet.plane(vertex[1]), sheet.plane(vertex[2])};
+		for (const vcg::Point2d& p : corner) box.add(p);
+		if (!sheet.triangles[size_t(t)].facing) std::swap(corner[1], corner[2]);
 		grid.query(box, t, [&](int s) {
 			if (parent[size_t(s)] == t) return;
-			detail::SmallPolygon overlap = whole;
+			std::array<vcg::Point2d, 3> letter;
+			for (size_t k = 0; k < 3; ++k) letter[k] = cut.points[size_t(inside[size_t(s)][k])].plane;
+			if (detail::AreApart(letter, corner, resolution) || detail::AreApart(corner, letter, resolution)) return;
+			detail::SmallPolygon overlap;
+			for (const vcg::Point2d& p : corner) overlap.add(p);
 			for (size_t k = 0; k < 3 && overlap.size > 0; ++k)
-				overlap = overlap.clipped(cut.points[size_t(inside[size_t(s)][k])].plane,
-				                          cut.points[size_t(inside[size_t(s)][(k + 1) % 3])].plane);
-			if (overlap.size < 3 || std::abs(overlap.area()) <= resolution * overlap.perimeter()) return;
+				overlap = overlap.clipped(letter[k], letter[(k + 1) % 3]);
+			if (overlap.size < 3 || overlap.area() <= resolution * overlap.perimeter()) return;
 			double least = std::numeric_limits<double>::infinity(), most = -least;
 			vcg::Point3d place;
 			for (int i = 0; i < overlap.size; ++i) {
