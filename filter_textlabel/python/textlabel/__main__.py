@@ -45,7 +45,7 @@ FLAGS = [
     ("--style", "style", "emboss, engrave or flat"),
     ("--size", "size", "height of a capital letter, mesh units"),
     ("--depth", "depth", "mesh units"),
-    ("--along", "extrude_along", "viewpoint, label normal or surface normal"),
+    ("--along", "extrude_along", "viewpoint, label or surface"),
     ("--font", "font", "family or font file"),
     ("--color", "color", "RRGGBB, of the letters' faces"),
 ]

@@ -13,8 +13,9 @@ import threading
 class _Member:
     """One worker process, started when it gets its first task."""
 
-    def __init__(self):
+    def __init__(self, held):
         self._process = None
+        self._held = held
 
     def do(self, task):
         """The answer to a task: {"report", "sha256"} or {"reason"}."""
@@ -38,6 +39,7 @@ class _Member:
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
             stderr=self._log,
+            pass_fds=self._held,
             start_new_session=True,  # an interrupt at the terminal is for us: we decide what is still finished
             creationflags=getattr(subprocess, "CREATE_NEW_PROCESS_GROUP", 0),  # the same on Windows
         )
@@ -63,8 +65,9 @@ class _Member:
 class Crew:
     """Threads that hand out tasks, each to a process of its own."""
 
-    def __init__(self, tasks, size):
-        """tasks: [(key, task as worker.py takes it)], begun in this order."""
+    def __init__(self, tasks, size, held=()):
+        """tasks: [(key, task as worker.py takes it)], begun in this order. held: descriptors that the processes keep open."""
+        self._held = held
         self._open = queue.SimpleQueue()
         for item in tasks:
             self._open.put(item)
@@ -75,7 +78,7 @@ class Crew:
             threading.Thread(target=self._work, daemon=True).start()
 
     def _work(self):
-        member = _Member()
+        member = _Member(self._held)
         try:
             while not self._stopping.is_set():
                 key, task = self._open.get_nowait()

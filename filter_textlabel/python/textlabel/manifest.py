@@ -10,6 +10,7 @@ import json
 import os
 import pathlib
 import shutil
+import time
 
 try:
     import fcntl
@@ -18,6 +19,7 @@ except ImportError:  # Windows
 
 NAME = "manifest.jsonl"
 UNFINISHED = ".unfinished"
+PATIENCE = 5.0  # seconds
 
 
 def sha256(path):
@@ -37,9 +39,7 @@ class Manifest:
         self.folder = pathlib.Path(folder)
         self.path = self.folder / NAME
         self.folder.mkdir(parents=True, exist_ok=True)
-        self._lock = os.open(self.folder, os.O_RDONLY) if fcntl else None
-        if fcntl:
-            fcntl.flock(self._lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        self.lock = _lock(self.folder)  # descriptors; who writes into the folder holds them, workers too
         self.entries = self._read()
         self._file = None
 
@@ -117,8 +117,25 @@ class Manifest:
         """Let other runs in."""
         if self._file:
             self._file.close()
-        if fcntl:
-            os.close(self._lock)
+        for descriptor in self.lock:
+            os.close(descriptor)
+
+
+def _lock(folder):
+    """Wait a moment for the workers of a run that was killed; then raise BlockingIOError while the folder is another's."""
+    if not fcntl:
+        return ()
+    descriptor = os.open(folder, os.O_RDONLY)
+    last = time.monotonic() + PATIENCE
+    while True:
+        try:
+            fcntl.flock(descriptor, fcntl.LOCK_EX | fcntl.LOCK_NB)
+            return (descriptor,)
+        except BlockingIOError:
+            if time.monotonic() > last:
+                os.close(descriptor)
+                raise
+            time.sleep(0.1)
 
 
 def _line(entry):

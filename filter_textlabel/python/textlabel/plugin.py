@@ -9,6 +9,14 @@ import pymeshlab
 FILTER = "apply_text_label"
 VARIABLE = "TEXTLABEL_PYMESHLAB_PLUGIN"  # environment: the plugin's path
 
+CHOICES = {  # of the filter, by number
+    "style": ["Emboss", "Engrave", "Flat"],
+    "placement": ["Current view", "Camera", "Point and direction", "Automatic"],
+    "extrude_along": ["Viewpoint", "Label normal", "Surface normal"],
+    "align": ["Left", "Center", "Right"],
+    "anchor": ["Baseline", "Middle", "Top"],
+}
+
 
 class LabelError(Exception):
     """A label that cannot be made. The text says what is wrong, where, and what to do; the mesh is as it was."""
@@ -81,6 +89,8 @@ def check_value(name, value):
     Raises LabelError when there is no such parameter or the value is of another type.
     """
     check_name(name)
+    if name in CHOICES:
+        return _choice(name, value)
     kind = _kind(defaults()[name])
     try:
         return _CONVERT[kind](value)
@@ -92,9 +102,9 @@ def check_values(values):
     """All values as PyMeshLab takes them, with what they imply: a position is meant to be used. Raises as check_value()."""
     checked = {name: check_value(name, value) for name, value in values.items()}
     if "camera" in checked:
-        checked.setdefault("placement", "Camera")
+        checked.setdefault("placement", CHOICES["placement"].index("Camera"))
     if "position" in checked or "direction" in checked:
-        checked.setdefault("placement", "Point and direction")
+        checked.setdefault("placement", CHOICES["placement"].index("Point and direction"))
     if "color" in checked:
         checked.setdefault("tint", True)
     return checked
@@ -103,6 +113,8 @@ def check_values(values):
 def parse_value(name, text):
     """The value that a text means, as written in a table or on the command line: 1.5; true; 0,0,1; ff8000; Engrave."""
     check_name(name)
+    if name in CHOICES:
+        return _choice(name, text)
     kind = _kind(defaults()[name])
     try:
         return _PARSE[kind](text)
@@ -114,7 +126,7 @@ def parse_value(name, text):
 
 
 def _kind(default):
-    if isinstance(default, (bool, str, float, int)):
+    if isinstance(default, (bool, str, float)):
         return type(default)
     return pymeshlab.Color if isinstance(default, pymeshlab.Color) else tuple
 
@@ -128,11 +140,16 @@ def _text(value):
     return value
 
 
-def _choice(value):
-    """One of the filter's names, in any case, or its number."""
-    if isinstance(value, bool) or not isinstance(value, (str, int)):
-        raise TypeError
-    return value.strip().capitalize() if isinstance(value, str) else value
+def _choice(name, value):
+    """A choice's number, from itself, its name in any case, or the beginning of its name."""
+    names = CHOICES[name]
+    if isinstance(value, int) and not isinstance(value, bool) and 0 <= value < len(names):
+        return value
+    if isinstance(value, str) and value.strip():
+        for number, known in enumerate(names):
+            if known.lower().startswith(value.strip().lower()) or value.strip() == str(number):
+                return number
+    raise LabelError(f"The parameter {name} takes one of {', '.join(names)}, not {value!r}.")
 
 
 def _number(value):
@@ -182,11 +199,10 @@ def _parse_color(text):
 
 _TAKES = {
     str: "a text",
-    int: "the name of a choice",
     float: "a number",
     bool: "true or false",
     tuple: "three numbers, as 0,0,1",
     pymeshlab.Color: "a colour, as ff8000",
 }
-_CONVERT = {str: _text, int: _choice, float: _number, bool: _truth, tuple: _point, pymeshlab.Color: _color}
-_PARSE = {str: str, int: _choice, float: float, bool: _parse_truth, tuple: _parse_point, pymeshlab.Color: _parse_color}
+_CONVERT = {str: _text, float: _number, bool: _truth, tuple: _point, pymeshlab.Color: _color}
+_PARSE = {str: str, float: float, bool: _parse_truth, tuple: _parse_point, pymeshlab.Color: _parse_color}

@@ -113,7 +113,7 @@ def _sort_out(tasks, entries, manifest, overwrite):
 def _work(tasks, entries, manifest, jobs, outcome, quiet):
     """Hand out the tasks part by part, so that each worker loads a part once; commit what comes back."""
     by_file = {task.file: task for task in sorted(tasks, key=lambda task: str(task.part))}
-    crew = Crew([(file, _message(task, manifest)) for file, task in by_file.items()], jobs)
+    crew = Crew([(file, _message(task, manifest)) for file, task in by_file.items()], jobs, manifest.lock)
     progress = Progress(len(tasks) + outcome.kept, outcome.kept, quiet)
 
     def stop(*_):

@@ -1,0 +1,163 @@
+"""A Python user's mistakes: each is an exception that says what to do, the mesh stays as it was, and Python goes on."""
+
+import os
+import unittest
+
+from python_support import MESHES, PLUGIN, InFolder, Mesh, np, pymeshlab, surface_faults
+
+import textlabel
+
+PLACE = {"placement": "Point and direction", "position": [0, -20, 8], "direction": [0, 0, 1], "size": 10.0, "depth": 1.0}
+
+# What is wrong, keywords, words of the message (PyMeshLab's own where the filter is never reached)
+RAW = [
+    ("text is a number", {"text": 7}, ["cast"]),
+    ("size is a text", {"text": "A", "size": "big"}, ["cast"]),
+    ("position is a text", {"text": "A", "position": "here"}, ["convert"]),
+    ("position is plane", {"text": "A", "position": [1, 2]}, ["position", "3 elements"]),
+    ("unknown parameter", {"text": "A", "sise": 3.0}, ["sise"]),
+    ("unknown style", {"text": "A", "style": "Carve"}, ["Carve", "Emboss"]),
+    ("style out of range", {"text": "A", "style": 9}, ["9"]),
+    ("half a character", {"text": "A\ud800"}, ["cast"]),
+    ("missing font", {"text": "A", "font": "/no/such/font.ttf"}, ["/no/such/font.ttf", "fc-list"]),
+    ("unknown family", {"text": "A", "font": "No Such Family"}, ["No Such Family", "fc-list"]),
+    ("off the part", {"text": "A", **PLACE, "position": [1000, 0, 0]}, ["Move the position"]),
+    ("over the edge", {"text": "A", **PLACE, "size": 100.0}, ["A", "near", "smaller"]),
+    ("too deep", {"text": "A", **PLACE, "style": "Engrave", "depth": 20.0}, ["depth", "room"]),
+    ("direction zero", {"text": "A", **PLACE, "direction": [0, 0, 0]}, ["direction is zero"]),
+    ("negative size", {"text": "A", "size": -3.0}, ["size is -3", "above 0"]),
+    ("size not a number", {"text": "A", "size": float("nan")}, ["nan", "finite"]),
+    ("depth infinite", {"text": "A", **PLACE, "depth": float("inf")}, ["inf", "finite"]),
+    ("empty text", {"text": ""}, ["text", "visible"]),
+    ("no window", {"text": "A", "placement": "Current view"}, ["window", "Automatic"]),
+    ("camera that is none", {"text": "A", "placement": "Camera", "camera": "x"}, ["camera", "XML"]),
+    ("report into nowhere", {"text": "A", "report": "/no/such/folder/x.json"}, ["/no/such/folder/x.json", "written"]),
+    ("missing letter", {"text": "\u6f22"}, ["\u6f22"]),
+]
+
+CHECKED = [
+    ("text is a number", 7, {}, ["text", "7"]),
+    ("size is a text", "A", {"size": "big"}, ["size", "a number", "'big'"]),
+    ("truth is a number", "A", {"mirrored": 1}, ["mirrored", "true or false"]),
+    ("position is plane", "A", {"position": [1, 2]}, ["position", "three numbers"]),
+    ("colour is a name", "A", {"color": "red"}, ["color", "ff8000"]),
+    ("unknown parameter", "A", {"sise": 3}, ["sise", "Did you mean size"]),
+    ("unknown style", "A", {"style": "carve"}, ["style", "Engrave", "carve"]),
+    ("half a character", "A\ud800", {}, ["text"]),
+]
+
+
+def snapshot(meshes):
+    mesh = meshes.current_mesh()
+    arrays = (mesh.vertex_matrix(), mesh.face_matrix(), mesh.face_selection_array(), mesh.vertex_normal_matrix())
+    return [array.tobytes() for array in arrays] + [mesh.has_face_color()]
+
+
+class Mistakes(InFolder):
+    def setUp(self):
+        super().setUp()
+        self.meshes = pymeshlab.MeshSet()
+        self.meshes.load_new_mesh(str(MESHES / "bracket.stl"))
+
+    def check_usable(self):
+        before = self.meshes.current_mesh().face_number()
+        report = self.meshes.apply_filter(textlabel.FILTER, text="A43", **PLACE)
+        self.assertEqual(self.meshes.current_mesh().face_number(), before + report["triangles_added"])
+        self.assertEqual((report["border_edges"], report["genus"]), (0, 6))
+
+    def test_of_the_filter_s_user(self):
+        untouched = snapshot(self.meshes)
+        for name, keywords, words in RAW:
+            with self.subTest(name):
+                with self.assertRaises(Exception) as caught:
+                    self.meshes.apply_filter(textlabel.FILTER, **keywords)
+                for word in words:
+                    self.assertIn(word, str(caught.exception))
+                self.assertEqual(snapshot(self.meshes), untouched)
+        self.check_usable()
+
+    def test_of_the_module_s_user(self):
+        untouched = snapshot(self.meshes)
+        for name, text, keywords, words in CHECKED:
+            with self.subTest(name):
+                with self.assertRaises(textlabel.LabelError) as caught:
+                    textlabel.label(self.meshes, text, **keywords)
+                for word in words:
+                    self.assertIn(word, str(caught.exception))
+                self.assertEqual(snapshot(self.meshes), untouched)
+        self.check_usable()
+
+    def test_called_twice(self):
+        first = textlabel.label(self.meshes, "A43", **PLACE)
+        labelled = snapshot(self.meshes)
+        # The same place now has letters on it: the label is cut into them, or refused, and never half of it.
+        try:
+            second = textlabel.label(self.meshes, "A43", **PLACE)
+            self.assertGreater(second["volume_after"], first["volume_after"])
+            self.assertEqual((second["border_edges"], second["genus"]), (0, 6))
+        except textlabel.LabelError as error:
+            self.assertIn("near", str(error))
+            self.assertEqual(snapshot(self.meshes), labelled)
+        mesh = self.meshes.current_mesh()
+        points, faces = np.unique(mesh.vertex_matrix(), axis=0, return_inverse=True)
+        self.assertEqual(surface_faults(Mesh(points, faces.reshape(-1)[mesh.face_matrix()])), [])
+
+    def test_loaded_twice(self):
+        with self.assertRaises(pymeshlab.PyMeshLabException):
+            pymeshlab.load_plugin(PLUGIN)
+        textlabel.load_plugin()  # the module knows that it is there
+        textlabel.load_plugin(PLUGIN)
+        self.check_usable()
+
+    def test_no_mesh(self):
+        with self.assertRaises(textlabel.LabelError):
+            textlabel.label(pymeshlab.MeshSet(), "A")
+        self.check_usable()
+
+    def test_points_without_faces(self):
+        self.meshes.add_mesh(pymeshlab.Mesh(np.eye(3)))
+        with self.assertRaises(textlabel.LabelError) as caught:
+            textlabel.label(self.meshes, "A")
+        self.assertIn("no faces", str(caught.exception))
+        self.meshes.set_current_mesh(0)
+        self.check_usable()
+
+    def test_files(self):
+        with self.assertRaises(textlabel.LabelError) as caught:
+            textlabel.label(self.folder / "missing.stl", "A", self.folder / "out.stl")
+        self.assertIn("missing.stl", str(caught.exception))
+        for output in ("out.nothing", "no/folder/out.stl", "noending"):
+            with self.subTest(output), self.assertRaises(textlabel.LabelError) as caught:
+                textlabel.label(MESHES / "bracket.stl", "A", self.folder / output)
+            self.assertIn(output, str(caught.exception))
+        (self.folder / "broken.stl").write_bytes(b"solid nothing")
+        with self.assertRaises(textlabel.LabelError):
+            textlabel.label(self.folder / "broken.stl", "A", self.folder / "out.stl")
+        self.assertEqual(os.listdir(self.folder), ["broken.stl"])
+        with self.assertRaises(textlabel.LabelError):
+            textlabel.label(MESHES / "bracket.stl", "A")
+
+    def test_plugin_that_is_none(self):
+        other = self.folder / "libother.so"
+        other.write_bytes(b"no plugin")
+        with self.assertRaises(pymeshlab.PyMeshLabException):
+            pymeshlab.load_plugin(str(other))
+        self.check_usable()
+
+    def test_every_choice_is_known_to_the_filter(self):
+        for name, choices in textlabel.plugin.CHOICES.items():
+            for number, choice in enumerate(choices):
+                with self.subTest(f"{name}={choice}"):
+                    self.assertEqual(textlabel.plugin.parse_value(name, choice.lower()), number)
+                    try:
+                        self.meshes.apply_filter(textlabel.FILTER, text="", **{name: choice})
+                    except Exception as error:
+                        self.assertNotIn("Enum", str(error))
+            with self.assertRaises(Exception) as caught:
+                self.meshes.apply_filter(textlabel.FILTER, text="", **{name: len(choices) + 1})
+            self.assertIn("Enum", str(caught.exception))
+
+
+if __name__ == "__main__":
+    textlabel.load_plugin()
+    unittest.main(verbosity=2)

@@ -1,0 +1,95 @@
+"""For the tests in Python: real PyMeshLab or a visible skip, STL files as welded meshes, and what a closed mesh must be."""
+
+import collections
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+SOURCE = pathlib.Path(os.environ.get("TEXTLABEL_SOURCE_DIR", pathlib.Path(__file__).resolve().parents[1]))
+PLUGIN = os.environ.get("TEXTLABEL_PYMESHLAB_PLUGIN", "")
+MESHES = SOURCE / "meshes"
+PACKAGE = SOURCE / "filter_textlabel" / "python"
+SKIPPED = 77
+
+sys.path.insert(0, str(PACKAGE))
+sys.dont_write_bytecode = True
+try:
+    import numpy as np
+    import pymeshlab
+except ImportError as error:
+    print(f"skipped: {error}")
+    sys.exit(SKIPPED)
+if not os.path.exists(PLUGIN):
+    print("skipped: TEXTLABEL_PYMESHLAB_PLUGIN names no plugin")
+    sys.exit(SKIPPED)
+
+Mesh = collections.namedtuple("Mesh", "points triangles")  # #V by 3 float32, #F by 3 indices
+
+
+def read_stl(path):
+    """A binary STL file with equal corners merged."""
+    data = pathlib.Path(path).read_bytes()
+    count = int.from_bytes(data[80:84], "little")
+    assert len(data) == 84 + 50 * count, f"{path} has {len(data)} bytes for {count} triangles"
+    record = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("attribute", "<u2")])
+    corners = np.frombuffer(data, record, count, 84)["corners"].reshape(-1, 3) + np.float32(0)  # -0 is 0
+    points, index = np.unique(corners, axis=0, return_inverse=True)
+    return Mesh(points, index.reshape(-1, 3))
+
+
+def volume(mesh):
+    """By the divergence theorem."""
+    a, b, c = (mesh.points[mesh.triangles[:, k]].astype(float) for k in range(3))
+    return float(np.einsum("ij,ij->i", a, np.cross(b, c)).sum() / 6)
+
+
+def edges(mesh):
+    """{(from, to): number of triangles with that side}."""
+    t = mesh.triangles
+    sides = np.concatenate([t[:, [0, 1]], t[:, [1, 2]], t[:, [2, 0]]])
+    return collections.Counter(map(tuple, sides.tolist()))
+
+
+def surface_faults(mesh, borders=0):
+    """What keeps a mesh from being an oriented manifold with so many border edges; [] when nothing does."""
+    sides = edges(mesh)
+    faults = []
+    if any(len(set(t)) < 3 for t in mesh.triangles.tolist()):
+        faults.append("a triangle with two equal corners")
+    if max(sides.values()) > 1:
+        faults.append("a side that two triangles run along in the same direction")
+    open_sides = sum((b, a) not in sides for a, b in sides)
+    if open_sides != borders:
+        faults.append(f"{open_sides} border edges instead of {borders}")
+    return faults
+
+
+def euler(mesh):
+    """Vertices - edges + triangles."""
+    sides = {(min(s), max(s)) for s in edges(mesh)}
+    return len(mesh.points) - len(sides) + len(mesh.triangles)
+
+
+def run_module(*arguments, **options):
+    """python -m textlabel ARGUMENTS, to its end."""
+    return subprocess.run(command(*arguments), env=environment(), capture_output=True, text=True, **options)
+
+
+def command(*arguments):
+    return [sys.executable, "-m", "textlabel", *map(str, arguments)]
+
+
+def environment():
+    return {**os.environ, "PYTHONPATH": str(PACKAGE), "PYTHONDONTWRITEBYTECODE": "1"}
+
+
+class InFolder(unittest.TestCase):
+    """Tests with a folder of their own, self.folder."""
+
+    def setUp(self):
+        holder = tempfile.TemporaryDirectory()
+        self.addCleanup(holder.cleanup)
+        self.folder = pathlib.Path(holder.name)

@@ -1,0 +1,234 @@
+"""Tables and templates of serial numbers: what they become, and what is refused before anything is made."""
+
+import csv
+import json
+import os
+import shutil
+import unittest
+
+from python_support import MESHES, InFolder, run_module
+
+import textlabel
+from textlabel import tasks
+from textlabel.template import Template, TemplateError, file_part
+
+BRACKET = MESHES / "bracket.stl"
+PLACE = ["--at", "0,-20,8", "--size", "7", "--depth", "1"]
+
+
+class Templates(unittest.TestCase):
+    def test_fields(self):
+        values = {"part": "bracket", "n": 7, "order": "0042", "text": "Ä"}
+        for template, filled in {
+            "{part}-{n:04}": "bracket-0007",
+            "{n}": "7",
+            "{order}": "0042",
+            "{order:06}": "000042",  # a number, though a table has texts
+            "{order:>6}|{text:<3}|": "  0042|Ä  |",
+            "{{{n}}}": "{7}",
+            "plain": "plain",
+        }.items():
+            self.assertEqual(Template(template).fill(values), filled)
+
+    def test_refused(self):
+        for template in ("{", "}", "{part", "{part.__class__}", "{n[0]}", "{}", "{n!x}"):
+            with self.subTest(template), self.assertRaises(TemplateError):
+                Template(template).fill({"part": "bracket", "n": 1})
+        with self.assertRaises(TemplateError) as caught:
+            Template("{serial}").check({"text", "n"})
+        self.assertIn("{serial}", str(caught.exception))
+        self.assertIn("n, text", str(caught.exception))
+        for template, value in {"{n:q}": 1, "{n:05}": "12b"}.items():
+            with self.subTest(template), self.assertRaises(TemplateError):
+                Template(template).fill({"n": value})
+
+    def test_file_names(self):
+        for text, name in {"A/43": "A_43", "a b\nc": "a_b_c", "..": "_", 'x:"y"?': "x_y_", "Ä漢": "Ä漢", "": "_"}.items():
+            self.assertEqual(file_part(text), name)
+
+
+class Tables(InFolder):
+    def read(self, text, encoding="utf-8"):
+        path = self.folder / "table.csv"
+        path.write_bytes(text.encode(encoding))
+        return tasks.read_table(path, 1)
+
+    def plan(self, **changes):
+        settings = {"parts": [BRACKET], "text": None, "name": Template("{part}-{text}"), "ending": "", "settings": {}}
+        return tasks.Plan(**{**settings, **changes})
+
+    def test_dialects(self):
+        expected = [(1, {"n": 1, "text": "A1", "size": "5"}), (2, {"n": 2, "text": "Ä,2", "size": "6.5"})]
+        self.assertEqual(self.read('text,size\nA1,5\n"Ä,2",6.5\n'), expected)
+        self.assertEqual(self.read("text;size\r\nA1;5\r\nÄ,2;6.5\r\n\r\n"), expected)
+        self.assertEqual(self.read("\ufefftext\tsize\nA1\t5\nÄ,2\t6.5"), expected)
+
+    def test_lines_inside_a_cell(self):
+        self.assertEqual(self.read('text\n"A\nB"\n'), [(1, {"n": 1, "text": "A\nB"})])
+
+    def test_blank_rows_keep_the_numbers_of_the_others(self):
+        self.assertEqual([row for row, _ in self.read("text,size\nA,1\n,\nB,2\n")], [1, 3])
+
+    def test_no_table(self):
+        for text, encoding in [("", "utf-8"), ("text,text\nA,B\n", "utf-8"), ("text\nÄ\n", "latin-1"), ('text\n"A\n', "utf-8")]:
+            with self.subTest(text), self.assertRaises(tasks.UsageError):
+                self.read(text, encoding)
+        with self.assertRaises(tasks.UsageError):
+            tasks.read_table(self.folder / "missing.csv", 1)
+
+    def test_rows_times_parts(self):
+        housing = MESHES / "housing.stl"
+        rows = self.read("text,part\nA1,\nA2,housing\nA3,bracket.stl\n")
+        made, problems = tasks.make_tasks(rows, self.plan(parts=[BRACKET, housing]), self.folder)
+        self.assertEqual(problems, [])
+        self.assertEqual(
+            [(task.row, task.file) for task in made],
+            [(1, "bracket-A1.stl"), (1, "housing-A1.stl"), (2, "housing-A2.stl"), (3, "bracket-A3.stl")],
+        )
+
+    def test_part_beside_the_table(self):
+        shutil.copy(BRACKET, self.folder / "mine.stl")
+        made, _ = tasks.make_tasks(self.read("text,part\nA1,mine.stl\n"), self.plan(parts=[]), self.folder)
+        self.assertEqual(made[0].part, self.folder / "mine.stl")
+
+    def test_settings_of_a_row_over_those_of_the_job(self):
+        rows = self.read("text,size,depth\nA1,5,\nA2,,2\n")
+        made, _ = tasks.make_tasks(rows, self.plan(settings={"size": "7", "style": "engrave"}), self.folder)
+        self.assertEqual(made[0].settings, {"size": "5", "style": "engrave"})
+        self.assertEqual(made[1].settings, {"size": "7", "style": "engrave", "depth": "2"})
+
+    def test_bad_rows_do_not_stop_the_others(self):
+        rows = self.read("text,size,part,order\nA1,x,,1\n,5,,2\nA3,5,none.stl,3\nA4\nA5,5,,4\nA6,5,,4b\nA7,,,7,8\n")
+        made, problems = tasks.make_tasks(rows, self.plan(name=Template("{order:03}")), self.folder)
+        self.assertEqual([(task.row, task.file) for task in made], [(5, "004.stl")])
+        words = {1: "size", 2: "empty", 3: "none.stl", 4: "1 cells", 6: "4b", 7: "5 cells"}
+        self.assertEqual([problem.row for problem in problems], list(words))
+        for problem in problems:
+            self.assertIn(words[problem.row], problem.reason)
+
+    def test_serials_that_stand_twice(self):
+        for text in ("A1\nA2\nA1\n", "A1\nA1 \n", "e\u0301\n\u00e9\n"):  # the same to the eye
+            with self.subTest(text), self.assertRaises(tasks.UsageError) as caught:
+                tasks.make_tasks(self.read("text\n" + text), self.plan(name=Template("{n}")), self.folder)
+            self.assertIn("twice", str(caught.exception))
+        rows = self.read("text\nA1\nA2\n")  # on two parts each may have its A1
+        self.assertEqual(len(tasks.make_tasks(rows, self.plan(parts=[BRACKET, MESHES / "seat.stl"]), self.folder)[0]), 4)
+
+    def test_files_that_would_be_written_twice(self):
+        for name, text in {"{part}": "A1\nA2\n", "{text}": "A/1\nA:1\n", "x-{text}": "a1\nA1\n"}.items():
+            with self.subTest(name), self.assertRaises(tasks.UsageError) as caught:
+                tasks.make_tasks(self.read("text\n" + text), self.plan(name=Template(name)), self.folder)
+            self.assertIn("same file", str(caught.exception))
+
+    def test_names_that_leave_the_folder(self):
+        for name in ("../{text}", "/tmp/{text}", "a//{text}", ".{text}", "a/../{text}"):
+            with self.subTest(name), self.assertRaises(tasks.UsageError):
+                tasks.make_tasks(self.read("text\nA1\n"), self.plan(name=Template(name)), self.folder)
+        made, _ = tasks.make_tasks(self.read("text\n../A1\n"), self.plan(name=Template("{part}/{text}")), self.folder)
+        self.assertEqual(made[0].file, "bracket/_A1.stl")
+
+    def test_columns(self):
+        rows = self.read("text,order,customer\nA1,1,x\n")
+        self.assertEqual(tasks.check_columns(rows, self.plan(name=Template("{order}"))), ["customer"])
+        with self.assertRaises(tasks.UsageError) as caught:
+            tasks.check_columns(self.read("text,sise\nA1,1\n"), self.plan())
+        self.assertIn("size", str(caught.exception))
+        for rows, plan in [
+            (self.read("serial\nA1\n"), self.plan()),
+            (self.read("text\nA1\n"), self.plan(parts=[])),
+        ]:
+            with self.assertRaises(tasks.UsageError):
+                tasks.make_tasks(rows, plan, self.folder)
+
+
+class CommandLine(InFolder):
+    def run_serial(self, *arguments, status=0):
+        done = run_module("serial", *arguments, "--output", self.folder / "out", "--quiet", cwd=self.folder)
+        self.assertEqual(done.returncode, status, done.stderr)
+        self.assertNotIn("Traceback", done.stderr)
+        return done.stderr
+
+    def made(self):
+        return sorted(str(path.relative_to(self.folder / "out")) for path in (self.folder / "out").rglob("*.*"))
+
+    def test_numbers_on_two_parts(self):
+        self.run_serial(BRACKET, MESHES / "valve.stl", "--count", "2", "--first", "9")
+        names = ["bracket-0009.stl", "bracket-0010.stl", "valve-0009.stl", "valve-0010.stl"]
+        self.assertEqual(self.made(), sorted([*names, "manifest.jsonl"]))
+        lines = (self.folder / "out" / "manifest.jsonl").read_text().splitlines()
+        self.assertEqual({json.loads(line)["text"] for line in lines}, {name.removesuffix(".stl") for name in names})
+
+    def test_bad_rows_are_reported_at_the_end(self):
+        (self.folder / "t.csv").write_text("text,size\nA1,7\nA2,500\nA3,x\nA4,7\n")
+        said = self.run_serial(BRACKET, "--csv", "t.csv", *PLACE, "--name", "{part}/{text}", status=1)
+        self.assertIn("row 2 (bracket.stl, 'A2')", said)
+        self.assertIn("row 3 (bracket.stl, 'A3')", said)
+        self.assertIn("2 made", said)
+        self.assertEqual(self.made(), ["bracket/A1.stl", "bracket/A4.stl", "failed.csv", "manifest.jsonl"])
+        with open(self.folder / "out" / "failed.csv", encoding="utf-8", newline="") as file:
+            self.assertEqual([row["row"] for row in csv.DictReader(file)], ["2", "3"])
+
+    def test_what_is_refused_before_anything_starts(self):
+        (self.folder / "twice.csv").write_text("text\nA1\nA2\nA1\n")
+        for arguments, word in [
+            ([BRACKET, "--csv", "twice.csv"], "twice"),
+            ([BRACKET, "--csv", "missing.csv"], "missing.csv"),
+            (["missing.stl", "--count", "2"], "missing.stl"),
+            ([BRACKET, "--count", "0"], "--count"),
+            ([BRACKET, "--count", "2", "--jobs", "0"], "--jobs"),
+            ([BRACKET, "--count", "2", "--text", "{part"], "{part"),
+            ([BRACKET, "--count", "2", "--text", "{serial}"], "{serial}"),
+            ([BRACKET, "--count", "2", "--set", "sise=4"], "size"),
+            ([BRACKET, "--count", "2", "--size", "big"], "size"),
+            ([BRACKET, "--count", "2", "--set", "size"], "NAME=VALUE"),
+            ([BRACKET, "--csv", "twice.csv", "--count", "2"], "not allowed"),
+            ([BRACKET], "required"),
+        ]:
+            with self.subTest(word):
+                self.assertIn(word, self.run_serial(*arguments, status=1 if word == "size" else 2))
+        self.assertFalse((self.folder / "out").exists())
+
+    def test_what_a_folder_holds_is_not_replaced(self):
+        out = self.folder / "out"
+        self.run_serial(BRACKET, "--count", "2", *PLACE)
+        before = {path: path.read_bytes() for path in out.iterdir()}
+        self.assertIn("other", self.run_serial(BRACKET, "--count", "2", *PLACE[:-1], "1.5", status=2))
+        self.assertIn("already", self.run_serial(BRACKET, "--count", "2", *PLACE, "--name", "x-{text}", status=2))
+        (out / "bracket-0003.stl").write_text("mine")
+        self.assertIn("bracket-0003.stl", self.run_serial(BRACKET, "--count", "3", *PLACE, status=2))
+        self.assertEqual((out / "bracket-0003.stl").read_text(), "mine")
+        for path, content in before.items():
+            self.assertEqual(path.read_bytes(), content)
+        self.run_serial(BRACKET, "--count", "3", *PLACE[:-1], "1.5", "--overwrite")
+        self.assertEqual([json.loads(line)["report"]["depth"] for line in open(out / "manifest.jsonl")], [1.5] * 3)
+
+    def test_one_run_at_a_time(self):
+        import fcntl
+
+        (self.folder / "out").mkdir()
+        descriptor = os.open(self.folder / "out", os.O_RDONLY)
+        self.addCleanup(os.close, descriptor)
+        fcntl.flock(descriptor, fcntl.LOCK_EX)
+        self.assertIn("Another run", self.run_serial(BRACKET, "--count", "1", *PLACE, status=2))
+
+    def test_color_and_materials_beside_an_obj(self):
+        self.run_serial(BRACKET, "--count", "2", *PLACE, "--format", "obj", "--color", "0057b8")
+        self.assertEqual(
+            self.made(),
+            ["bracket-0001.obj", "bracket-0001.obj.mtl", "bracket-0002.obj", "bracket-0002.obj.mtl", "manifest.jsonl"],
+        )
+        self.assertIn("mtllib ./bracket-0002.obj.mtl", (self.folder / "out" / "bracket-0002.obj").read_text())
+
+    def test_label(self):
+        done = run_module("label", BRACKET, self.folder / "x.stl", "A43", "--at", "-2,-20,8", "--size", "5", "--up", "0,1,0")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(json.loads(done.stdout)["anchor"], [-2, -20, 8])
+        done = run_module("label", BRACKET, self.folder / "y.stl", "A43", "--at", "500,0,0")
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("Move the position", done.stderr)
+        self.assertFalse((self.folder / "y.stl").exists())
+
+
+if __name__ == "__main__":
+    textlabel.load_plugin()
+    unittest.main(verbosity=2)
