@@ -37,7 +37,7 @@ struct LabelPatch {
 	std::vector<std::pair<int, vcg::Point3d>> moved;  ///< sheet vertices within letters, and where to
 	std::vector<PatchFace> faces;  ///< for each removed triangle at least one has it as parent and is no wall
 	std::vector<int> removed;      ///< sheet triangles, ascending
-	std::vector<int> contourTop;   ///< #cut points: the raised copy of a contour point, or -1
+	bool isFlat = true;            ///< nothing is raised: tops are pieces of the surface
 };
 
 /// Raise the inside of a cut label.
@@ -112,7 +112,7 @@ inline LabelPatch RaiseLabel(const LabelSpace& space, const Sheet& sheet, const 
 	patch.removed = cut.touched;
 	std::vector<int> top(cut.points.size());
 	for (size_t i = 0; i < top.size(); ++i) top[i] = int(i);
-	patch.contourTop.assign(cut.points.size(), -1);
+	patch.isFlat = height == 0;
 
 	const std::vector<IndexTriangle> inside = detail::InsideTriangles(sheet, cut);
 	if (height != 0) {
@@ -131,7 +131,6 @@ inline LabelPatch RaiseLabel(const LabelSpace& space, const Sheet& sheet, const 
 		for (const ContourPiece& piece : cut.pieces) {  // each contour point is the start of one piece
 			const CutPoint& p = cut.points[size_t(piece.from)];
 			top[size_t(piece.from)] = old + int(patch.vertices.size());
-			patch.contourTop[size_t(piece.from)] = top[size_t(piece.from)];
 			patch.vertices.push_back({raised(piece.from), p.parent, p.weight});
 		}
 		std::vector<char> seen(size_t(old), 0);

@@ -92,7 +92,7 @@ inline bool KeepsOrientation(const LabelSpace& space, const Sheet& sheet, const 
 /// Whether a pair that crosses crossed before the label: a piece of a triangle and what that triangle already met.
 inline bool CrossedBefore(const std::vector<vcg::Point3d>& position, const Sheet& sheet, const PatchFace& a, int other)
 {
-	if (a.kind != FaceKind::Outside) return false;
+	if (a.parent == other) return false;
 	return IsCrossing(ContactOf(CornersOf(position, sheet.triangles[size_t(a.parent)].vertex),
 	                            CornersOf(position, sheet.triangles[size_t(other)].vertex)));
 }
@@ -111,18 +111,17 @@ inline PatchVerdict CheckCrossings(const Sheet& sheet, const LabelPatch& patch,
 		others.push_back(CornersOf(position, sheet.triangles[size_t(t)].vertex));
 		otherTriangle.push_back(t);
 	}
+	const auto onSurface = [&](const PatchFace& f) { return f.kind == FaceKind::Outside || patch.isFlat; };
 	for (const FacePair& pair : FindCrossings(mine, others)) {
 		const PatchFace& a = patch.faces[size_t(pair.first)];
 		const vcg::Point3d& place = position[size_t(a.vertex[0])];
 		if (!pair.secondIsOther) {
 			const PatchFace& b = patch.faces[size_t(pair.second)];
-			if (a.kind == FaceKind::Outside && b.kind == FaceKind::Outside &&
-			    CrossedBefore(position, sheet, a, b.parent))
-				continue;
+			if (onSurface(a) && onSurface(b) && CrossedBefore(position, sheet, a, b.parent)) continue;
 			return {PatchFault::CrossesSelf, place, -1};
 		}
 		const int other = otherTriangle[size_t(pair.second)];
-		if (!CrossedBefore(position, sheet, a, other))
+		if (!onSurface(a) || !CrossedBefore(position, sheet, a, other))
 			return {PatchFault::CrossesPart, place, sheet.triangles[size_t(other)].face};
 	}
 	return {};
@@ -140,7 +139,7 @@ PatchVerdict CheckPatch(const LabelSpace& space, const Sheet& sheet, const Label
 		const Corners c = detail::CornersOf(position, f.vertex);
 		if (IsCollinear(c)) return {PatchFault::Collapsed, c[0]};
 		if (f.kind != FaceKind::Wall && !detail::KeepsOrientation(space, sheet, f, c))
-			return {f.kind == FaceKind::Top && !patch.moved.empty() ? PatchFault::Folded : PatchFault::Collapsed, c[0]};
+			return {f.kind == FaceKind::Top && !patch.isFlat ? PatchFault::Folded : PatchFault::Collapsed, c[0]};
 	}
 	return detail::CheckCrossings(sheet, patch, position);
 }
