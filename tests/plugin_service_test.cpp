@@ -1,0 +1,222 @@
+// A whole run on a bare mesh: what is left behind, what is reported, and that a refusal leaves nothing.
+
+#include "filter_textlabel/label_service.h"
+#include "test_mesh.h"
+
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <gtest/gtest.h>
+#include <set>
+#include <vcg/complex/algorithms/update/normal.h>
+
+using namespace textlabel;
+using Mesh = test_mesh::RichMesh;
+using vcg::Point3d;
+
+namespace {
+
+/// A plate of 60 x 40 whose thickness is given, its faces finely cut along x.
+void MakePlate(Mesh& m, float thickness, int columns = 12)
+{
+	using Allocator = vcg::tri::Allocator<Mesh>;
+	m.Clear();
+	for (int i = 0; i <= columns; ++i)
+		for (const float y : {0.f, 40.f})
+			for (const float z : {0.f, thickness}) Allocator::AddVertex(m, {60.f * float(i) / float(columns), y, z});
+	const auto quad = [&](int a, int b, int c, int d) {
+		for (const auto& t : {std::array<int, 3>{a, b, c}, std::array<int, 3>{a, c, d}})
+			Allocator::AddFace(m, &m.vert[size_t(t[0])], &m.vert[size_t(t[1])], &m.vert[size_t(t[2])]);
+	};
+	for (int i = 0; i < columns; ++i) {
+		const int o = 4 * i;  // y0z0, y0z1, y1z0, y1z1, then the next column
+		quad(o + 1, o + 5, o + 7, o + 3);
+		quad(o, o + 2, o + 6, o + 4);
+		quad(o, o + 4, o + 5, o + 1);
+		quad(o + 2, o + 3, o + 7, o + 6);
+	}
+	const int last = 4 * columns;
+	quad(0, 1, 3, 2);
+	quad(last, last + 2, last + 3, last + 1);
+	vcg::tri::UpdateNormal<Mesh>::PerFaceNormalized(m);
+	vcg::tri::UpdateNormal<Mesh>::PerVertexAngleWeighted(m);
+	vcg::tri::UpdateNormal<Mesh>::NormalizePerVertex(m);
+	vcg::tri::UpdateBounding<Mesh>::Box(m);
+	m.face[1].SetS();
+}
+
+LabelRequest OnTop(double size, double depth)
+{
+	LabelRequest request;
+	request.placement = PlacementKind::PointAndDirection;
+	request.position = {30, 20, 5};
+	request.size = size;
+	request.depth = depth;
+	return request;
+}
+
+struct Finished {
+	LabelReport report;
+	vcg::textlabel::LabelResult result;
+};
+
+Finished RunOn(Mesh& m, const LabelRequest& request, const ServiceHost& host = {})
+{
+	ErrorContext context;
+	LabelJob<Mesh> job(m, vcg::textlabel::LabelFrame::Identity(), host, context);
+	const LabelReport report = job.run(request);
+	return {report, job.result()};
+}
+
+/// All bytes of a mesh that a host could see.
+std::vector<double> Everything(const Mesh& m)
+{
+	std::vector<double> all{double(m.vn), double(m.fn), double(m.vert.size()), double(m.face.size())};
+	for (const auto& v : m.vert) {
+		for (int i = 0; i < 3; ++i) all.insert(all.end(), {double(v.cP()[i]), double(v.cN()[i])});
+		all.insert(all.end(), {double(v.cC()[0]), double(v.cQ()), double(v.cFlags())});
+	}
+	for (const auto& f : m.face) {
+		for (int k = 0; k < 3; ++k)
+			all.insert(all.end(), {double(f.cV(k) - m.vert.data()), double(f.cN()[k]), double(f.cC()[k])});
+		all.push_back(double(f.cFlags()));
+	}
+	return all;
+}
+
+}  // namespace
+
+TEST(Service, LeavesSelectionNormalsAndBoxAsTheyShouldBe)
+{
+	for (const LabelStyle style : {LabelStyle::Emboss, LabelStyle::Engrave, LabelStyle::Flat}) {
+		Mesh m;
+		MakePlate(m, 5);
+		LabelRequest request = OnTop(8, 1);
+		request.style = style;
+		request.text = "A8";
+		const Finished run = RunOn(m, request);
+		std::set<int> label(run.result.topFaces.begin(), run.result.topFaces.end());
+		label.insert(run.result.wallFaces.begin(), run.result.wallFaces.end());
+		for (size_t f = 0; f < m.face.size(); ++f) EXPECT_EQ(m.face[f].IsS(), label.count(int(f)) == 1);
+		EXPECT_FLOAT_EQ(m.bbox.max[2], style == LabelStyle::Emboss ? 6.f : 5.f);
+
+		Mesh fresh;
+		vcg::tri::Append<Mesh, Mesh>::MeshCopy(fresh, m);
+		vcg::tri::UpdateNormal<Mesh>::PerFaceNormalized(fresh);
+		vcg::tri::UpdateNormal<Mesh>::PerVertexAngleWeighted(fresh);
+		vcg::tri::UpdateNormal<Mesh>::NormalizePerVertex(fresh);
+		for (size_t f = 0; f < m.face.size(); ++f) EXPECT_LE((m.face[f].N() - fresh.face[f].N()).Norm(), 1e-5);
+		for (size_t v = 0; v < m.vert.size(); ++v) EXPECT_LE((m.vert[v].N() - fresh.vert[v].N()).Norm(), 1e-4) << v;
+	}
+}
+
+TEST(Service, ColoursWhatIsAskedFor)
+{
+	for (const auto& [style, tint, colors] : {std::tuple{LabelStyle::Flat, false, true},
+	                                          {LabelStyle::Emboss, true, true},
+	                                          {LabelStyle::Emboss, false, false}}) {
+		Mesh m;
+		MakePlate(m, 5);
+		LabelRequest request = OnTop(8, 1);
+		request.style = style;
+		request.tint = tint;
+		request.color = {1, 2, 3};
+		RunOn(m, request);
+		for (const auto& f : m.face) EXPECT_EQ(f.cC() == vcg::Color4b(1, 2, 3, 255), colors && f.IsS());
+	}
+}
+
+TEST(Service, ReportsWhatOneCanMeasure)
+{
+	Mesh m;
+	MakePlate(m, 5);
+	const int faces = m.fn, vertices = m.vn;
+	LabelRequest request = OnTop(8, 1.25);
+	request.style = LabelStyle::Engrave;
+	const LabelReport report = RunOn(m, request).report;
+	const QJsonObject json = QJsonDocument::fromJson(QByteArray::fromStdString(ReportJson(report))).object();
+	EXPECT_EQ(json["text"].toString(), "A43");
+	EXPECT_EQ(json["triangles_before"].toInt(), faces);
+	EXPECT_EQ(json["triangles_after"].toInt(), m.fn);
+	EXPECT_EQ(json["vertices_before"].toInt(), vertices);
+	EXPECT_EQ(json["vertices_after"].toInt(), m.vn);
+	EXPECT_NEAR(json["volume_before"].toDouble(), 60 * 40 * 5, 1e-9);
+	EXPECT_NEAR(json["volume_after"].toDouble(), 12000 - 1.25 * json["label_area"].toDouble(), 0.01);
+	EXPECT_NEAR(json["volume_after"].toDouble(), NumbersOf(m).volume, 0.01);
+	EXPECT_NEAR(json["surface_area"].toDouble(), json["label_area"].toDouble(), 1e-6);  // seen straight on
+	for (const char* key : {"border_edges", "non_manifold_edges", "genus"})
+		for (const char* when : {"_before", "_after"}) EXPECT_EQ(json[QString(key) + when].toInt(-1), 0) << key << when;
+	EXPECT_EQ(json["components_after"].toInt(), 1);
+	EXPECT_EQ(json["camera"].toObject()["direction"].toArray()[2].toDouble(), 1);
+	EXPECT_GT(json["milliseconds"].toObject()["total"].toDouble(), 0);
+}
+
+TEST(Service, ARefusalLeavesTheMeshAlone)
+{
+	Mesh m;
+	MakePlate(m, 5);
+	const auto before = Everything(m);
+	LabelRequest tooDeep = OnTop(8, 9), off = OnTop(8, 1), view = OnTop(8, 1), empty = OnTop(8, 1);
+	tooDeep.style = LabelStyle::Engrave;
+	off.position = {59, 20, 5};
+	view.placement = PlacementKind::CurrentView;
+	empty.text = " ";
+	EXPECT_THROW(RunOn(m, tooDeep), vcg::textlabel::Error);
+	EXPECT_THROW(RunOn(m, off), vcg::textlabel::Error);
+	EXPECT_THROW(RunOn(m, view), RequestError);
+	EXPECT_THROW(RunOn(m, empty), TextError);
+	int calls = 0;
+	ServiceHost impatient;
+	impatient.progress = [&](int) { return ++calls < 2; };
+	EXPECT_THROW(RunOn(m, OnTop(8, 1), impatient), vcg::textlabel::Error);
+	EXPECT_EQ(calls, 2);
+	EXPECT_EQ(Everything(m), before);
+	Mesh cloud;
+	vcg::tri::Allocator<Mesh>::AddVertex(cloud, {0, 0, 0});
+	EXPECT_THROW(RunOn(cloud, OnTop(8, 1)), RequestError);
+}
+
+TEST(Service, ChoosesADepthThatTheWallAllows)
+{
+	Mesh m;
+	MakePlate(m, 0.5f);
+	LabelRequest request = OnTop(8, ChosenToFit);
+	request.style = LabelStyle::Engrave;
+	const LabelReport report = RunOn(m, request).report;  // a tenth of the size would come out behind
+	EXPECT_LT(report.depth, 0);
+	EXPECT_GT(report.depth, -0.5);
+	EXPECT_NEAR(NumbersOf(m).volume, 60 * 40 * 0.5 + report.depth * report.labelArea, 0.01);
+}
+
+TEST(Service, ChoosesASizeThatThePlaceAllows)
+{
+	Mesh m;
+	MakePlate(m, 5);
+	LabelRequest request = OnTop(ChosenToFit, ChosenToFit);
+	request.position = {52, 20, 5};  // 8 from the edge: the largest sizes run over it
+	request.text = "SERIAL";
+	const LabelReport report = RunOn(m, request).report;
+	const TextOutline outline = MakeTextOutline(request.text, TextOptionsOf(request, report.size));
+	EXPECT_LT(outline.boxMax[0], 8);
+	EXPECT_GT(outline.boxMax[0], 8 * 0.4);  // and not far smaller than needed
+}
+
+TEST(Service, AViewOfAWindowCanBeRunAgain)
+{
+	Camera camera;
+	camera.viewpoint = {22.25, -8.1, 77};
+	camera.backwards = Point3d(-0.1, -0.16, 0.98).Normalize();
+	camera.right = (Point3d(0, 1, 0) ^ camera.backwards).Normalize();
+	camera.up = camera.backwards ^ camera.right;
+	ServiceHost window;
+	window.currentView = [&] { return camera; };
+	Mesh seen, again;
+	MakePlate(seen, 5);
+	MakePlate(again, 5);
+	LabelRequest request = OnTop(6, 1);
+	request.placement = PlacementKind::CurrentView;
+	const LabelReport report = RunOn(seen, request, window).report;
+	EXPECT_EQ(report.request.placement, PlacementKind::Camera);
+	RunOn(again, report.request);
+	EXPECT_EQ(Everything(again), Everything(seen));
+}
