@@ -174,6 +174,17 @@ inline double Distance(const Point3d& p, const std::array<Point3d, 3>& t)
 	return distance;
 }
 
+/// The candidates of a shape under a box of the label plane.
+inline Sheet CandidatesOf(const test_mesh::Shape& shape, const LabelSpace& space, double halfWidth, double halfHeight)
+{
+	test_mesh::DoubleMesh m;
+	test_mesh::Fill(m, shape);
+	PlaneBox box;
+	box.add({-halfWidth, -halfHeight});
+	box.add({halfWidth, halfHeight});
+	return CollectSheet(m, space, box);
+}
+
 /// What an Error says, for a message; or that there was none.
 template <class MeshType>
 std::string Refusal(MeshType& m, const Outline& outline, const LabelFrame& frame, const LabelOptions& options,

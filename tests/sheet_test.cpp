@@ -1,0 +1,164 @@
+// The sheet: which triangles become candidates and how they hang together, against a look at every one of them.
+
+#include "vcg_ext/sheet.h"
+
+#include <gtest/gtest.h>
+#include <random>
+#include <set>
+
+#include "label_check.h"
+
+namespace {
+
+using namespace label_check;
+using test_mesh::Shape;
+
+/// Whether a triangle, projected, meets a box: clipped by its four sides, something is left.
+bool MeetsBox(std::vector<Point2d> polygon, double halfWidth, double halfHeight)
+{
+	for (int side = 0; side < 4; ++side) {
+		const double sign = side % 2 == 0 ? 1 : -1, limit = side < 2 ? halfWidth : halfHeight;
+		const auto inside = [&](const Point2d& p) { return limit - sign * p[side < 2 ? 0 : 1]; };
+		std::vector<Point2d> kept;
+		for (size_t i = 0; i < polygon.size(); ++i) {
+			const Point2d &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
+			const double da = inside(a), db = inside(b);
+			if (da >= 0) kept.push_back(a);
+			if ((da < 0) != (db < 0)) kept.push_back(a + (b - a) * (da / (da - db)));
+		}
+		polygon.swap(kept);
+	}
+	return !polygon.empty();
+}
+
+TEST(Sheet, HoldsEveryTriangleThatMeetsTheBox)
+{
+	const Shape ball = test_mesh::Sphere(12, 40, 24);
+	for (const LabelFrame& frame : {FromAbove(), FromAbovePerspective(40)}) {
+		const LabelSpace space(frame);
+		const Sheet sheet = CandidatesOf(ball, space, 5, 3);
+		std::set<int> candidates;
+		for (const SheetTriangle& t : sheet.triangles) candidates.insert(t.face);
+		for (size_t f = 0; f < ball.faces.size(); ++f) {
+			std::vector<Point2d> plane;
+			for (const int v : ball.faces[f]) plane.push_back(space.project(space.toLabel(ball.points[size_t(v)])));
+			if (MeetsBox(plane, 5, 3)) { EXPECT_EQ(candidates.count(int(f)), 1u) << "face " << f; }
+		}
+		EXPECT_LT(candidates.size(), ball.faces.size() / 2) << "and not the whole mesh";
+	}
+}
+
+TEST(Sheet, KeepsOrderPlacesAndFacing)
+{
+	const Shape ball = test_mesh::Sphere(12, 40, 24);
+	const LabelSpace space(FromAbovePerspective(40));
+	const Sheet sheet = CandidatesOf(ball, space, 5, 3);
+	double largest = 0;
+	for (const SheetVertex& v : sheet.vertices) {
+		EXPECT_EQ(v.mesh, ball.points[size_t(v.index)]);
+		EXPECT_NEAR((v.plane - space.project(v.mesh)).Norm(), 0, 1e-12);
+		for (int i = 0; i < 3; ++i) largest = std::max(largest, std::abs(v.mesh[i]));
+	}
+	EXPECT_EQ(sheet.largestCoordinate, largest);
+	for (size_t t = 0; t < sheet.triangles.size(); ++t) {
+		EXPECT_TRUE(t == 0 || sheet.triangles[t - 1].face < sheet.triangles[t].face);
+		std::array<Point3d, 3> p;
+		for (size_t k = 0; k < 3; ++k) {
+			const SheetVertex& v = sheet.vertices[size_t(sheet.triangles[t].vertex[k])];
+			EXPECT_EQ(v.index, ball.faces[size_t(sheet.triangles[t].face)][k]);
+			p[k] = v.mesh;
+		}
+		EXPECT_EQ(sheet.triangles[t].facing, ((p[1] - p[0]) ^ (p[2] - p[0])) * (Point3d(0, 0, 40) - p[0]) > 0);
+	}
+}
+
+TEST(Sheet, TwinsAreTwins)
+{
+	const Sheet sheet = CandidatesOf(test_mesh::Sphere(12, 40, 24), LabelSpace(FromAbove()), 5, 3);
+	int paired = 0;
+	for (int h = 0; h < int(sheet.twin.size()); ++h) {
+		const int other = sheet.twin[size_t(h)];
+		EXPECT_NE(other, NonManifoldEdge);
+		if (other < 0) continue;
+		++paired;
+		EXPECT_EQ(sheet.twin[size_t(other)], h);
+		EXPECT_EQ(sheet.from(h), sheet.to(other));
+		EXPECT_EQ(sheet.to(h), sheet.from(other));
+		EXPECT_EQ(sheet.canonical(h), std::min(h, other));
+	}
+	EXPECT_GT(paired, int(sheet.twin.size()) / 2);
+}
+
+TEST(Sheet, TellsBordersAndNonManifoldEdgesApart)
+{
+	const Shape two = test_mesh::Sheet(1, 1, [](int i, int j) { return Point3d(i, j, 0); });  // faces 0 1 3, 0 3 2
+	const auto kinds = [](const Shape& s) {
+		const Sheet sheet = CandidatesOf(s, LabelSpace(LabelFrame()), 5, 5);
+		std::array<int, 3> count = {0, 0, 0};  // twins, borders, non-manifold
+		for (const int t : sheet.twin) ++count[t >= 0 ? 0 : t == BorderEdge ? 1 : 2];
+		return count;
+	};
+	EXPECT_EQ(kinds(two), (std::array<int, 3>{2, 4, 0}));
+	Shape flipped = two;
+	std::swap(flipped.faces[1][1], flipped.faces[1][2]);
+	EXPECT_EQ(kinds(flipped), (std::array<int, 3>{0, 4, 2})) << "the diagonal, run along twice in the same direction";
+	Shape fin = two;
+	fin.faces.push_back({0, 3, fin.add({0, 0, 1})});
+	EXPECT_EQ(kinds(fin), (std::array<int, 3>{0, 6, 3}));
+	Shape twice = two;
+	twice.faces.push_back(twice.faces[0]);
+	EXPECT_EQ(kinds(twice), (std::array<int, 3>{0, 2, 7}))
+		<< "a duplicate face: its edges are doubled, the diagonal has three";
+}
+
+TEST(Sheet, FansHoldTheTrianglesAroundEachVertex)
+{
+	const Sheet sheet = CandidatesOf(test_mesh::Fan(50, 10, 3), LabelSpace(LabelFrame()), 20, 20);
+	for (size_t v = 0; v < sheet.vertices.size(); ++v) {
+		std::set<int> expected, found;
+		for (size_t t = 0; t < sheet.triangles.size(); ++t)
+			for (const int corner : sheet.triangles[t].vertex)
+				if (corner == int(v)) expected.insert(int(t));
+		for (int i = sheet.vertexStart[v]; i < sheet.vertexStart[v + 1]; ++i) found.insert(sheet.vertexFan[size_t(i)]);
+		EXPECT_EQ(found, expected);
+	}
+}
+
+TEST(Sheet, LeavesOutWhatHasNoPlace)
+{
+	Shape s = test_mesh::Sheet(2, 1, [](int i, int j) { return Point3d(i, j, 0); });
+	s.points[0][2] = std::nan("");
+	const Sheet sheet = CandidatesOf(s, LabelSpace(LabelFrame()), 5, 5);
+	EXPECT_EQ(sheet.triangles.size(), 2u);  // both triangles of the first square have vertex 0
+	EXPECT_FALSE(sheet.reachesBehindCamera);
+	s.points[0][2] = 50;
+	const Sheet behind = CandidatesOf(s, LabelSpace(FromAbovePerspective(20)), 5, 5);
+	EXPECT_EQ(behind.triangles.size(), 2u);
+	EXPECT_TRUE(behind.reachesBehindCamera);
+}
+
+// The weights that mix the corners into a point must give back that point, from the definition.
+TEST(SpaceWeights, GiveThePointUnderTheProjection)
+{
+	std::mt19937 random(1);
+	std::uniform_real_distribution<double> unit(0, 1);
+	const Shape ball = test_mesh::Sphere(12, 20, 12);
+	for (const LabelFrame& frame : {FromAbove(), FromAbovePerspective(30)}) {
+		const LabelSpace space(frame);
+		const Sheet sheet = CandidatesOf(ball, space, 8, 8);
+		for (size_t t = 0; t < sheet.triangles.size(); ++t) {
+			if (!sheet.triangles[t].facing) continue;
+			double a = unit(random), b = unit(random);
+			if (a + b > 1) a = 1 - a, b = 1 - b;
+			const auto& v = sheet.triangles[t].vertex;
+			const auto at = [&](size_t k) { return sheet.vertices[size_t(v[k])].label; };
+			const Point3d q = at(0) * (1 - a - b) + at(1) * a + at(2) * b;
+			const Point3d w = SpaceWeights(space, sheet, int(t), space.project(q));
+			EXPECT_NEAR(w[0], 1 - a - b, 1e-9);
+			EXPECT_NEAR(w[1], a, 1e-9);
+			EXPECT_NEAR(w[2], b, 1e-9);
+		}
+	}
+}
+
+}  // namespace
