@@ -134,7 +134,7 @@ private:
 		cut_.points.resize(kept);
 		for (CutTriangle& t : cut_.triangles)
 			for (int& v : t.point) v = number[size_t(v)];
-		for (ContourPiece& p : cut_.pieces) p = {number[size_t(p.from)], number[size_t(p.to)]};
+		for (ContourPiece& p : cut_.pieces) p = {number[size_t(p.from)], number[size_t(p.to)], p.halfEdge};
 	}
 
 	const Sheet& sheet_;

@@ -60,6 +60,20 @@ inline void HitSeed(const LabelSpace& space, const Sheet& sheet, int triangle, c
 	(t.facing ? hits.facing : hits.back) = triangle;
 }
 
+/// Whether the ray through p meets a triangle that is left out because it reaches behind the centre of projection.
+inline bool IsOnStraddling(const LabelSpace& space, const Sheet& sheet, const vcg::Point2d& p)
+{
+	const vcg::Point3d c = space.center(), ray = vcg::Point3d(p[0], p[1], 0) - c;
+	for (const auto& q : sheet.straddling) {
+		const double a = ray * ((q[0] - c) ^ (q[1] - c)), b = ray * ((q[1] - c) ^ (q[2] - c)),
+					 d = ray * ((q[2] - c) ^ (q[0] - c));
+		const bool through = (a >= 0 && b >= 0 && d >= 0) || (a <= 0 && b <= 0 && d <= 0);
+		const vcg::Point3d normal = (q[1] - q[0]) ^ (q[2] - q[0]);
+		if (through && (normal * (q[0] - c)) * (normal * ray) > 0) return true;
+	}
+	return false;
+}
+
 }  // namespace detail
 
 inline std::vector<int> FindSeeds(const LabelSpace& space, const Sheet& sheet, const Outline& outline, double snap)
@@ -98,7 +112,7 @@ inline std::vector<int> FindSeeds(const LabelSpace& space, const Sheet& sheet, c
 				.atLetter(letter)
 				.atPlace(place(hit.backDepth));
 		if (hit.facing < 0)
-			throw Error(sheet.reachesBehindCamera ? ErrorCode::BehindCamera : ErrorCode::OffSurface,
+			throw Error(detail::IsOnStraddling(space, sheet, p) ? ErrorCode::BehindCamera : ErrorCode::OffSurface,
 			            "nothing under a contour")
 				.atLetter(letter)
 				.atPlace(place(0));

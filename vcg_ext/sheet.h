@@ -50,7 +50,8 @@ struct Sheet {
 	double largestCoordinate = 0;             ///< of the candidates' mesh coordinates, in absolute value
 	double extent = 0;                        ///< world units: diagonal of the box of all finite vertices of the mesh
 	bool isEmpty = true;                      ///< no face of the mesh has three finite vertices
-	bool reachesBehindCamera = false;         ///< some triangle of the mesh reaches behind the centre of projection
+	std::vector<std::array<vcg::Point3d, 3>>
+		straddling;  ///< label space: triangles that reach behind the centre of projection
 
 	static int Next(int h) { return h % 3 == 2 ? h - 2 : h + 1; }
 	static int Previous(int h) { return h % 3 == 0 ? h + 2 : h - 1; }
@@ -183,6 +184,14 @@ std::vector<std::uint8_t> CodeVertices(const MeshType& m, const LabelSpace& spac
 	return code;
 }
 
+template <class MeshType>
+void AddStraddling(const MeshType& m, const LabelSpace& space, const std::array<int, 3>& v, Sheet& sheet)
+{
+	std::array<vcg::Point3d, 3> q;
+	for (size_t k = 0; k < 3; ++k) q[k] = space.toLabel(PointOf(m, size_t(v[k])));
+	if (IsFinite(q[0]) && IsFinite(q[1]) && IsFinite(q[2])) sheet.straddling.push_back(q);
+}
+
 /// One pass over the faces: those that may meet the box, with their mesh indices as corners.
 template <class MeshType>
 void CollectTriangles(const MeshType& m, const LabelSpace& space, const std::vector<std::uint8_t>& code, Sheet& sheet)
@@ -193,12 +202,12 @@ void CollectTriangles(const MeshType& m, const LabelSpace& space, const std::vec
 		std::array<int, 3> v;
 		for (int k = 0; k < 3; ++k) v[size_t(k)] = int(m.face[f].cV(k) - first);
 		const std::uint8_t a = code[size_t(v[0])], b = code[size_t(v[1])], c = code[size_t(v[2])];
+		const auto isFinite = [](std::uint8_t x) { return !(x & Unusable) || (x & BehindCamera); };
+		sheet.isEmpty = sheet.isEmpty && !(isFinite(a) && isFinite(b) && isFinite(c));
 		if ((a | b | c) & Unusable) {
-			const bool straddles = ((a | b | c) & BehindCamera) && !(a & b & c & BehindCamera);
-			sheet.reachesBehindCamera = sheet.reachesBehindCamera || straddles;
+			if (((a | b | c) & BehindCamera) && !(a & b & c & BehindCamera)) AddStraddling(m, space, v, sheet);
 			continue;
 		}
-		sheet.isEmpty = false;
 		if (a & b & c) continue;
 		if (v[0] == v[1] || v[1] == v[2] || v[2] == v[0]) continue;  // a line: its edges pair with each other
 		if (space.mirrors()) std::swap(v[1], v[2]);

@@ -127,8 +127,7 @@ PlannedLabel PlanInBox(const MeshType& m, const LabelSpace& space, const Outline
 {
 	PlannedLabel p;
 	p.sheet = CollectSheet(m, space, box);
-	if (p.sheet.isEmpty && !p.sheet.reachesBehindCamera)
-		throw Error(ErrorCode::EmptyMesh, "no face with finite corners");
+	if (p.sheet.isEmpty) throw Error(ErrorCode::EmptyMesh, "no face with finite corners");
 	if (std::abs(options.height) > p.sheet.extent)
 		throw Error(ErrorCode::BadHeight, "larger than the part").measured(std::abs(options.height), p.sheet.extent);
 	try {

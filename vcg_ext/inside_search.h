@@ -1,0 +1,169 @@
+#pragma once
+// The inside search: which regions and triangles lie within the letters.
+//
+// The walk knows the side of every region that a contour touches. Regions and whole triangles further in are found by going from one
+// to the next over the sheet, never across a contour. Whatever the search meets but should not (a border, the horizon, a third
+// triangle at an edge) is a fault of the place and is named.
+
+#include "label_paths.h"
+#include "triangle_walk.h"
+
+namespace vcg::textlabel {
+
+/// A piece of a cut triangle's border.
+struct BorderPiece {
+	int from, to;  ///< cut points, counter-clockwise
+	int halfEdge;  ///< that it lies on
+	int region;    ///< beside it
+};
+
+/// Finds what lies within the letters.
+class InsideSearch {
+public:
+	/// @param[in] pieces  of the contours
+	/// @param[in] touched  sheet triangles that are cut up, ascending
+	/// @param[in] borderPieces  of their regions
+	InsideSearch(const Sheet& sheet, const std::vector<ContourPiece>& pieces, const std::vector<int>& touched,
+	             std::vector<BorderPiece> borderPieces);
+
+	/// @param[in] side  #R sides of the regions as the walk knows them
+	/// @return #R sides of the regions, then one for each sheet triangle that is not touched; Unknown is outside
+	/// @throws Error{Border, Silhouette, NonManifold} with face and place; PlacementConflict when inside and outside meet
+	std::vector<Side> run(std::vector<Side> side);
+
+private:
+	void indexPieces(int regionCount);
+	void startAlongEdges();
+	void enter(int region);
+	void markOutside(int region);
+	void cross(const BorderPiece& piece);
+	[[noreturn]] void throwOffSheet(int halfEdge) const;
+	bool isContour(int from, int to) const;
+	int regionBeside(int from, int to, int triangle) const;
+
+	const Sheet& sheet_;
+	const std::vector<ContourPiece>& pieces_;
+	const std::vector<int>& touched_;
+	std::vector<BorderPiece> borderPieces_;        ///< sorted by (from, to)
+	std::vector<std::pair<int, int>> contour_;     ///< contour pieces, sorted, for look-up
+	std::vector<int> regionStart_, regionPieces_;  ///< border pieces of each region, CSR
+	std::vector<Side> side_;
+	int regionCount_ = 0;  ///< regions of touched triangles; region regionCount_ + t is the untouched sheet triangle t
+	std::vector<int> stack_;
+};
+
+// ---------------------------------------------------------------------------------------------------------------------------
+
+inline InsideSearch::InsideSearch(const Sheet& sheet, const std::vector<ContourPiece>& pieces,
+                                  const std::vector<int>& touched, std::vector<BorderPiece> borderPieces)
+	: sheet_(sheet), pieces_(pieces), touched_(touched), borderPieces_(std::move(borderPieces))
+{
+	for (const ContourPiece& piece : pieces_) contour_.emplace_back(piece.from, piece.to);
+	std::sort(contour_.begin(), contour_.end());
+	std::sort(borderPieces_.begin(), borderPieces_.end(), [](const BorderPiece& a, const BorderPiece& b) {
+		return std::make_pair(a.from, a.to) < std::make_pair(b.from, b.to);
+	});
+}
+
+inline std::vector<Side> InsideSearch::run(std::vector<Side> side)
+{
+	side_ = std::move(side);
+	regionCount_ = int(side_.size());
+	indexPieces(regionCount_);
+	side_.resize(size_t(regionCount_) + sheet_.triangles.size(), Side::Unknown);
+	for (int r = 0; r < regionCount_; ++r)
+		if (side_[size_t(r)] == Side::Inside) stack_.push_back(r);
+	startAlongEdges();
+	while (!stack_.empty()) {
+		const int r = stack_.back();
+		stack_.pop_back();
+		if (r < regionCount_) {
+			for (int i = regionStart_[size_t(r)]; i < regionStart_[size_t(r) + 1]; ++i)
+				cross(borderPieces_[size_t(regionPieces_[size_t(i)])]);
+		} else {
+			for (int h = 3 * (r - regionCount_), k = 0; k < 3; ++k, ++h) cross({sheet_.from(h), sheet_.to(h), h, r});
+		}
+	}
+	return std::move(side_);
+}
+
+inline void InsideSearch::indexPieces(int regionCount)
+{
+	regionStart_.assign(size_t(regionCount) + 1, 0);
+	for (const BorderPiece& p : borderPieces_) ++regionStart_[size_t(p.region) + 1];
+	for (size_t i = 1; i < regionStart_.size(); ++i) regionStart_[i] += regionStart_[i - 1];
+	regionPieces_.resize(borderPieces_.size());
+	std::vector<int> next(regionStart_.begin(), regionStart_.end() - 1);
+	for (size_t i = 0; i < borderPieces_.size(); ++i)
+		regionPieces_[size_t(next[size_t(borderPieces_[i].region)]++)] = int(i);
+}
+
+/// A contour along an edge touches no region from within; it has the inside on its left all the same.
+inline void InsideSearch::startAlongEdges()
+{
+	for (const ContourPiece& piece : pieces_) {
+		if (piece.halfEdge < 0) continue;
+		enter(regionBeside(piece.from, piece.to, piece.halfEdge / 3));
+		const int twin = sheet_.twin[size_t(piece.halfEdge)];
+		if (twin >= 0) markOutside(regionBeside(piece.to, piece.from, twin / 3));
+	}
+}
+
+inline void InsideSearch::enter(int region)
+{
+	Side& side = side_[size_t(region)];
+	if (side == Side::Outside) throw PlacementConflict{"inside and outside of a letter meet", {0, 0}};
+	if (side == Side::Unknown) {
+		side = Side::Inside;
+		stack_.push_back(region);
+	}
+}
+
+inline void InsideSearch::markOutside(int region)
+{
+	Side& side = side_[size_t(region)];
+	if (side == Side::Inside) throw PlacementConflict{"inside and outside of a letter meet", {0, 0}};
+	side = Side::Outside;
+}
+
+inline void InsideSearch::cross(const BorderPiece& piece)
+{
+	if (isContour(piece.from, piece.to)) return;
+	const int across = sheet_.facingAcross(piece.halfEdge);
+	if (across < 0) throwOffSheet(piece.halfEdge);
+	enter(regionBeside(piece.to, piece.from, across));
+}
+
+inline void InsideSearch::throwOffSheet(int halfEdge) const
+{
+	const int twin = sheet_.twin[size_t(halfEdge)];
+	const ErrorCode code = twin == BorderEdge        ? ErrorCode::Border
+	                       : twin == NonManifoldEdge ? ErrorCode::NonManifold
+	                                                 : ErrorCode::Silhouette;
+	const vcg::Point3d &a = sheet_.vertices[size_t(sheet_.from(halfEdge))].mesh,
+					   &b = sheet_.vertices[size_t(sheet_.to(halfEdge))].mesh;
+	throw Error(code, "the inside of a letter leaves the sheet")
+		.atFace(sheet_.triangles[size_t(halfEdge / 3)].face)
+		.atPlace((a + b) / 2);
+}
+
+inline bool InsideSearch::isContour(int from, int to) const
+{
+	return std::binary_search(contour_.begin(), contour_.end(), std::make_pair(from, to));
+}
+
+/// The region of `triangle` along its border piece from-to.
+inline int InsideSearch::regionBeside(int from, int to, int triangle) const
+{
+	if (!std::binary_search(touched_.begin(), touched_.end(), triangle)) return regionCount_ + triangle;
+	const auto less = [](const BorderPiece& p, const std::pair<int, int>& key) {
+		return std::make_pair(p.from, p.to) < key;
+	};
+	const auto found = std::lower_bound(borderPieces_.begin(), borderPieces_.end(), std::make_pair(from, to), less);
+	if (found == borderPieces_.end() || found->from != from || found->to != to)
+		throw PlacementConflict{"neighbours cut their common edge differently",
+		                        sheet_.plane(sheet_.from(3 * triangle))};
+	return found->region;
+}
+
+}  // namespace vcg::textlabel
