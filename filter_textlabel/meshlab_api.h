@@ -10,5 +10,4 @@
 #else
 #include <common/ml_document/mesh_document.h>
 #include <common/parameters/rich_parameter_list.h>
-#include <common/parameters/rich_parameters.h>
 #endif

@@ -98,12 +98,15 @@ const Value& Held(const RichParameterList& list, const char* name)
 
 #if MESHLAB_API == 2020
 bool IsFile(const Value& value) { return value.isFileName(); }
-bool IsPoint(const Value& value) { return value.isPoint3f(); }
 bool IsChoice(const Value& value) { return value.isEnum(); }
 #else
 bool IsFile(const Value& value) { return value.isString(); }
-bool IsPoint(const Value& value) { return value.isPoint3(); }
 bool IsChoice(const Value& value) { return value.isInt(); }
+#endif
+#if MESHLAB_API == 2025
+bool IsPoint(const Value& value) { return value.isPoint3(); }
+#else
+bool IsPoint(const Value& value) { return value.isPoint3f(); }
 #endif
 
 void ReadMember(const RichParameterList& list, const Parameter& p, const Value& held, std::string& value)
