@@ -185,6 +185,18 @@ inline Sheet CandidatesOf(const test_mesh::Shape& shape, const LabelSpace& space
 	return CollectSheet(m, space, box);
 }
 
+/// A label as far as the cut: what its raising and checking start from.
+struct CutExample {
+	LabelSpace space;
+	Sheet sheet;
+	CutLabel cut;
+
+	CutExample(const test_mesh::Shape& shape, const Outline& outline, const LabelFrame& frame, double snap = 1e-6)
+		: space(frame), sheet(CandidatesOf(shape, space, 40, 40)),
+		  cut(LabelCutter(space, sheet, snap).cut(outline, FindSeeds(space, sheet, outline, snap)))
+	{}
+};
+
 /// What an Error says, for a message; or that there was none.
 template <class MeshType>
 std::string Refusal(MeshType& m, const Outline& outline, const LabelFrame& frame, const LabelOptions& options,
