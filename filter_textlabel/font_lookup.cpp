@@ -92,6 +92,8 @@ Pattern PatternFor(const FontRequest& request)
 		for (const StyleValue& v : *values) FcPatternAddInteger(pattern.get(), v.object.c_str(), v.value);
 	} else FcPatternAddString(pattern.get(), FC_STYLE, Bytes(request.style));
 	FcPatternAddBool(pattern.get(), FC_OUTLINE, FcTrue);
+	// a family may be installed both as a variable font and as one file for each weight
+	if (!request.axes.empty()) FcPatternAddBool(pattern.get(), FC_VARIABLE, FcTrue);
 	return pattern;
 }
 

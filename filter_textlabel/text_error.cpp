@@ -22,6 +22,13 @@ std::string Number(double value)
 	return text;
 }
 
+/// A number to stay above: rounded up, so that what is printed will do.
+std::string NumberAbove(double value)
+{
+	constexpr double kRoundUp = 1.0005;  // for four digits
+	return Number(value * kRoundUp);
+}
+
 template <class Items, class Show>
 std::string Listed(const Items& items, Show show)
 {
@@ -103,7 +110,8 @@ std::string OptionSentence(const TextError& e)
 		       ": give a positive length" + (e.limit > 0 ? ", larger than " + limit + " here." : ".");
 	case TextErrorCode::BadTolerance:
 		return "The tolerance " + value + " does not suit this text" + Because(e) + ": " +
-		       (e.limit > 0 ? std::string(e.value < e.limit ? "at least " : "at most ") + limit + " does."
+		       (e.limit > 0 ? std::string(e.value < e.limit ? "at least " + NumberAbove(e.limit) : "at most " + limit) +
+		                          " does."
 		                    : "give a length that is not negative; 0 chooses one.");
 	case TextErrorCode::BadSpacing:
 		return "The " + std::string(e.detail == "lineSpacing" ? "line" : "letter") + " spacing is " + value +
@@ -113,7 +121,8 @@ std::string OptionSentence(const TextError& e)
 		return "Emboldening by " + value + " is out of range: give at most " + limit +
 		       ", the capital height, either way.";
 	case TextErrorCode::BadArc:
-		return "The text does not fit on an arc of radius " + value + ": give a radius of at least " + limit +
+		return "The text does not fit on an arc of radius " + value + ": give a radius of " +
+		       (e.value < 0 ? "-" + NumberAbove(e.limit) + " or below" : NumberAbove(e.limit) + " or more") +
 		       ", or a smaller size.";
 	case TextErrorCode::BadFeature:
 		return Quoted(e.detail) + " is no OpenType feature setting: write them as in tnum,ss01,-liga.";
@@ -129,7 +138,7 @@ std::string ResultSentence(const TextError& e)
 	switch (e.code) {
 	case TextErrorCode::TooThin:
 		return "The narrowest " + e.detail + " measures " + Number(e.value) + ", " + Number(e.limit) +
-		       " is asked for; too narrow: " + Letters(e) + ": a size of " + Number(e.size) +
+		       " is asked for; too narrow: " + Letters(e) + ": a size of " + NumberAbove(e.size) +
 		       " would do, or a bolder font.";
 	case TextErrorCode::LetterVanished:
 		return "Nothing is left of " + Letters(e) +

@@ -35,8 +35,7 @@ struct TextOptions {
 	double letterSpacing = 0;        ///< added between letters, times the capital height
 	double slant = 0;                ///< degrees, positive leans to the right
 	double embolden = 0;             ///< outline moved outwards by so much; negative thins
-	double arcRadius =
-		0;  ///< radius of the baseline; positive: letters stand on top of the circle, negative: hang in it
+	double arcRadius = 0;   ///< of the baseline; positive: letters stand on the circle, negative: they hang in it
 	bool mirrored = false;  ///< left and right swapped, for moulds and stamps
 
 	double minStroke = 0;  ///< > 0: refuse letters with a thinner stroke
@@ -59,7 +58,9 @@ struct TextOutline {
 	/// Simple, pairwise disjoint (they do not touch either), nested, oriented; no repeated and no redundant point;
 	/// each contour starts at its leftmost, then lowest point; parts in reading order of their letters.
 	vcg::textlabel::Outline outline;
-	std::vector<std::string> letters;  ///< UTF-8, in order of the text; Contour::letter is an index into it
+	/// The clusters of the text that are shaped as one (a letter with its marks, a ligature, a blank), UTF-8, in the order of
+	/// the text; Contour::letter is an index into it.
+	std::vector<std::string> letters;
 	vcg::Point2d boxMin{0, 0}, boxMax{0, 0};
 	std::vector<std::string> fonts;  ///< those used, the main one first: "DejaVu Sans Bold (file, face 0, wght=650)"
 	double capitalHeight = 0;        ///< mesh units: the size asked for, or the one that fits the width
@@ -68,7 +69,8 @@ struct TextOutline {
 };
 
 /// Set a text.
-/// @param[in] utf8  the text; a line break, or a backslash followed by n, breaks a line
+/// @param[in] utf8  the text; a line break, or a backslash followed by n, breaks a line; a tab, or a backslash followed by t,
+///                  goes to the next tab stop (8 blanks); a doubled backslash before n or t stands for itself
 /// @throws TextError
 /// @throws std::bad_alloc
 TextOutline MakeTextOutline(const std::string& utf8, const TextOptions& options);

@@ -24,7 +24,7 @@ namespace {
 
 constexpr double kFineTolerance = 2e-5;  ///< em, for the area
 constexpr double kAreaSlack = 0.005;     ///< relative
-constexpr unsigned kMostGlyphs = 6600;
+constexpr unsigned kMostGlyphs = 20000;
 constexpr unsigned kSampleOfCollection = 5000;
 #if defined(__SANITIZE_ADDRESS__)
 constexpr unsigned kSample = 30;

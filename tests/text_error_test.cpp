@@ -43,7 +43,7 @@ TEST(TextError, DataIsInTheSentence)
 	thin.letters = {"i", "ß"};
 	thin.size = 23.5;
 	const std::string sentence = Sentence(thin.measured(0.31, 0.4));
-	for (const char* datum : {"stroke", "0.31", "0.4", "\"i\", \"ß\"", "23.5"})
+	for (const char* datum : {"stroke", "0.31", "0.4", "\"i\", \"ß\"", "23.51"})
 		EXPECT_NE(sentence.find(datum), std::string::npos) << datum << " in " << sentence;
 	EXPECT_NE(Sentence(TextError(TextErrorCode::EmptyText).ofFont("")).find("blank"), std::string::npos);
 }

@@ -10,6 +10,7 @@
 #include <memory>
 #include "font_lookup.h"
 #include "text_layout.h"
+#include "text_support.h"
 #include "text_utf8.h"
 
 using namespace textlabel;
