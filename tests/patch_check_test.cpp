@@ -1,0 +1,98 @@
+// The check before the commit: sound patches pass, each way of spoiling one is found.
+
+#include "vcg_ext/patch_check.h"
+
+#include <gtest/gtest.h>
+
+#include "label_check.h"
+
+namespace {
+
+using namespace label_check;
+using test_mesh::Shape;
+
+double Exactly(double x) { return x; }
+double AsFloat(double x) { return static_cast<float>(x); }
+
+PatchVerdict Check(const CutExample& e, double height, ExtrudeAlong along = ExtrudeAlong::Viewpoint,
+                   double (*round)(double) = AsFloat)
+{
+	return CheckPatch(e.space, e.sheet, RaiseLabel(e.space, e.sheet, e.cut, height, along), round);
+}
+
+Shape Slab() { return test_mesh::Slab(30, 20, 4, 15, 10); }
+
+TEST(PatchCheck, SoundPatchesPass)
+{
+	const CutExample e(Slab(), ThreeLetters(), FromAbove());
+	for (const double h : {1.0, -1.0, 0.0, 100.0})
+		for (double (*round)(double) : {Exactly, AsFloat})
+			EXPECT_EQ(Check(e, h, ExtrudeAlong::Viewpoint, round).fault, PatchFault::Sound) << h;
+}
+
+TEST(PatchCheck, FindsPointsThatRoundingMerges)
+{
+	const CutExample e(Slab(), Letters({Rectangle(-3.3, -3, 3, 3), Rectangle(5, 0.1, 5.2, 2)}), FromAbove());
+	EXPECT_EQ(Check(e, 1, ExtrudeAlong::Viewpoint, [](double x) { return std::round(x * 2) / 2; }).fault,
+	          PatchFault::Merged);
+	EXPECT_EQ(Check(e, 1e-9, ExtrudeAlong::Viewpoint, [](double x) { return std::round(x * 1e6) / 1e6; }).fault,
+	          PatchFault::Merged)
+		<< "the top falls back on the surface";
+}
+
+TEST(PatchCheck, FindsFacesThatRoundingTurnsRound)
+{
+	// a coordinate grid so coarse that corners of small pieces change sides, but no two points fall together
+	const CutExample e(Slab(), Letters({RegularPolygon(0.13, 0.07, 1.1, 9, 0.2)}), FromAbove());
+	int found = 0;
+	for (double step = 0.05; step < 0.4; step *= 1.1) {
+		const auto round = [step](double x) { return std::round(x / step) * step; };
+		const LabelPatch patch = RaiseLabel(e.space, e.sheet, e.cut, 0, ExtrudeAlong::Viewpoint);
+		const PatchFault fault = CheckPatch(e.space, e.sheet, patch, round).fault;
+		// the same, seen from above: does any face of the rounded patch have no positive area?
+		const auto position = detail::RoundedPositions(e.sheet, patch, round);
+		bool turned = false;
+		for (const PatchFace& f : patch.faces) {
+			const Corners c = detail::CornersOf(position, f.vertex);
+			turned = turned || ((c[1] - c[0]) ^ (c[2] - c[0]))[2] <= 0;
+		}
+		EXPECT_EQ(fault != PatchFault::Sound, turned || fault == PatchFault::Merged) << "step " << step;
+		found += fault == PatchFault::Collapsed;
+	}
+	EXPECT_GT(found, 0);
+}
+
+TEST(PatchCheck, FindsWhatComesOutBehind)
+{
+	const CutExample e(Slab(), ThreeLetters(), FromAbove());
+	EXPECT_EQ(Check(e, -3.99).fault, PatchFault::Sound);
+	const PatchVerdict through = Check(e, -4.5);
+	EXPECT_EQ(through.fault, PatchFault::CrossesPart);
+	ASSERT_GE(through.face, 0);
+	const Shape slab = Slab();
+	for (const int v : slab.faces[size_t(through.face)]) EXPECT_EQ(slab.points[size_t(v)][2], -4);
+}
+
+// In a groove the tops of a label along its normals come together in the axis and turn over behind it.
+TEST(PatchCheck, FindsFolds)
+{
+	const Shape groove = test_mesh::Sheet(40, 10, [](int i, int j) {
+		const double a = M_PI * (i / 40.0) - M_PI;
+		return Point3d(5 * std::cos(a), 3.0 * (j - 5), 5 * std::sin(a) + 5);
+	});
+	const CutExample e(groove, Letters({Rectangle(-3.3, -4, 3.1, 4)}), FromAbove());
+	EXPECT_EQ(Check(e, 2, ExtrudeAlong::SurfaceNormal).fault, PatchFault::Sound);
+	const PatchFault fault = Check(e, 7, ExtrudeAlong::SurfaceNormal).fault;
+	EXPECT_TRUE(fault == PatchFault::Folded || fault == PatchFault::CrossesSelf) << int(fault);
+}
+
+// A part that crosses itself under the label is not held against the label.
+TEST(PatchCheck, ForgivesWhatWasWrongBefore)
+{
+	const Shape spike = test_mesh::Box(0.5, 0.5, 2).moved([](const Point3d& p) { return p + Point3d(0.3, 0.2, 1); });
+	const Shape both = Slab().joined(spike);  // sticks through the top
+	const CutExample e(both, Letters({Rectangle(-4, -4, 4, 4), Hole(Rectangle(-1.5, -1.5, 1.5, 1.5))}), FromAbove());
+	for (const double h : {1.0, -1.0, 0.0}) EXPECT_EQ(Check(e, h).fault, PatchFault::Sound) << h;
+}
+
+}  // namespace
