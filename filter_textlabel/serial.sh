@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Serial numbers on parts, by PyMeshLab and the Text Label filter, with all they need brought and built: serial.sh --help
+# Serial numbers on parts, by PyMeshLab and the Text Label filter. What they need is brought and built.
+# serial.sh --help says how.
 
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)

@@ -38,7 +38,8 @@ def by_pymeshlab(row, output):
 
 def by_meshlabserver(row, output):
     command = [SOURCE / "filter_textlabel" / "label.sh", MESHES / row["file"], output, row["text"]]
-    options = {"--at": "position", "--direction": "direction", "--up": "up", "--style": "style", "--size": "size", "--along": "along"}
+    options = {"--at": "position", "--along": "along"}
+    options.update({f"--{name}": name for name in ("direction", "up", "style", "size")})
     for option, column in options.items():
         command += [option, row[column]]
     if row["style"] != "flat":
@@ -53,7 +54,7 @@ def match(mesh, other, within):
     Looks at vertices whose x is within a distance only; -1 and infinity when there are none.
     """
     nearest, largest = np.full(len(mesh.points), -1), 0.0
-    points, others = mesh.points.astype(float), other.points.astype(float)  # others are sorted by x, as read_stl leaves them
+    points, others = mesh.points.astype(float), other.points.astype(float)  # sorted by x, as read_stl leaves them
     starts = np.searchsorted(others[:, 0], points[:, 0] - within)
     ends = np.searchsorted(others[:, 0], points[:, 0] + within, "right")
     for i, (point, start, end) in enumerate(zip(points, starts, ends)):

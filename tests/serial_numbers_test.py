@@ -84,7 +84,11 @@ class Numbers(InFolder):
 
     def start(self, *more):
         process = subprocess.Popen(
-            command(*self.arguments, *more), env=environment(), stderr=subprocess.PIPE, text=True, start_new_session=True
+            command(*self.arguments, *more),
+            env=environment(),
+            stderr=subprocess.PIPE,
+            text=True,
+            start_new_session=True,
         )
         self.addCleanup(process.stderr.close)
         self.addCleanup(process.wait)
@@ -135,7 +139,9 @@ class Numbers(InFolder):
             now = (self.output / name).stat()
             self.assertEqual((now.st_ino, now.st_mtime_ns), (stat.st_ino, stat.st_mtime_ns))
         self.check_files(texts)
-        print(f"\n{COUNT} serial numbers in {seconds:.1f} s with the start twice: {COUNT / seconds:.1f}/s by 2 processes")
+        print(
+            f"\n{COUNT} serial numbers in {seconds:.1f} s with the start twice: {COUNT / seconds:.1f}/s by 2 processes"
+        )
         print(f"  last run: {done.stderr.strip().splitlines()[-1]}")
         self.compare_with_loading_and_saving()
 

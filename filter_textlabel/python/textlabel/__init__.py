@@ -7,9 +7,10 @@
     for number in range(1, 101):
         part.label(f"A{number:04}", f"out/A{number:04}.stl")
 
-Every keyword is a parameter of the filter: textlabel.defaults() has all of them. Reports are dictionaries of plain values: triangles_added,
-label_area, volume_before, volume_after, anchor, normal, stretch, border_edges, genus, milliseconds and more. What cannot be done raises
-LabelError, whose text says what is wrong, where, and what to do; nothing has changed then.
+Every keyword is a parameter of the filter: textlabel.defaults() has all of them. Reports are dictionaries of plain
+values: triangles_added, label_area, volume_before, volume_after, anchor, normal, stretch, border_edges, genus,
+milliseconds and more. What cannot be done raises LabelError, whose text says what is wrong, where, and what to do;
+nothing has changed then.
 
 `python -m textlabel --help` is the command line, with serial numbers on many parts.
 """

@@ -26,19 +26,21 @@ exit     0 all labelled; 1 refused, or some rows failed; 2 wrong usage, nothing 
 SERIAL = """\
 Make one labelled file for each row and part.
 
-The table has a header line. Its columns: text (the serial), part (a mesh file, beside the table or one of PART; without it every PART is
-labelled), any parameter of the filter (size, depth, position, ...: it counts for its row), and others for the templates.
-Templates hold fields in braces: {part} (name of the mesh without ending), {n} (number of the row, as {n:04}), {text}, any column.
+The table has a header line. Its columns: text (the serial), part (a mesh file, beside the table or one of PART; without
+it every PART is labelled), any parameter of the filter (size, depth, position, ...: it counts for its row), and others
+for the templates. Templates hold fields in braces: {part} (name of the mesh without ending), {n} (number of the row, as
+{n:04}), {text}, any column.
 
-The folder gets the files and manifest.jsonl, one JSON object for each file: file, text, sha256, the part and its sha256, settings and
-report. Run the same command again after an interruption: what is there and whole is kept. Serials that stand twice are refused before
-anything starts; rows that fail do not stop the others and are listed at the end and in failed.csv."""
+The folder gets the files and manifest.jsonl, one JSON object for each file: file, text, sha256, the part and its
+sha256, settings and report. Run the same command again after an interruption: what is there and whole is kept. Serials
+that stand twice are refused before anything starts; rows that fail do not stop the others and are listed at the end
+and in failed.csv."""
 
 SHOWN = 20  # failed rows on the terminal
 
 # flag, parameter, help
 FLAGS = [
-    ("--at", "position", "X,Y,Z: label this point of the surface (default: the largest flat region that holds the text)"),
+    ("--at", "position", "X,Y,Z: at this point of the surface (default: the largest flat region that holds the text)"),
     ("--direction", "direction", "X,Y,Z: from the surface towards the viewer (default 0,0,1)"),
     ("--up", "up", "X,Y,Z: where the top of the letters points"),
     ("--rotate", "rotation", "degrees, counter-clockwise"),
@@ -75,11 +77,15 @@ def _parser():
     source.add_argument("--csv", metavar="FILE", help="the table of serials")
     source.add_argument("--count", type=int, metavar="N", help="no table: so many numbers")
     many.add_argument("--first", type=int, default=1, metavar="N", help="the first number {n} (default 1)")
-    many.add_argument("--text", metavar="TEMPLATE", help="the texts (default: the column text; with --count {part}-{n:04})")
-    many.add_argument("--name", metavar="TEMPLATE", help="file names without ending (default {part}-{text}; with --count {text})")
+    many.add_argument("--text", metavar="TEMPLATE", help="texts (default: column text; with --count {part}-{n:04})")
+    many.add_argument(
+        "--name", metavar="TEMPLATE", help="files, without ending (default {part}-{text}; with --count {text})"
+    )
     many.add_argument("--format", default="", metavar="ENDING", help="stl, ply, obj or off (default: as the part)")
     many.add_argument("--output", required=True, metavar="FOLDER", help="for files and manifest; made when missing")
-    many.add_argument("--jobs", type=int, default=os.cpu_count() or 1, metavar="N", help="processes (default: one per CPU)")
+    many.add_argument(
+        "--jobs", type=int, default=os.cpu_count() or 1, metavar="N", help="processes (default: all CPUs)"
+    )
     many.add_argument("--overwrite", action="store_true", help="replace files that were made otherwise, or by others")
     many.add_argument("--quiet", action="store_true", help="no progress bar")
     _add_parameters(many)
@@ -102,8 +108,11 @@ def _settings(arguments):
         if not equals:
             raise UsageError(f"--set {assignment}: write NAME=VALUE.")
         settings[name] = text
-    for name, text in settings.items():
-        parse_value(name, text)
+    try:
+        for name, text in settings.items():
+            parse_value(name, text)
+    except LabelError as error:
+        raise UsageError(str(error)) from None
     return settings
 
 

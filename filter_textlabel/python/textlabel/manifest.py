@@ -1,8 +1,8 @@
 """What has been made, one JSON object for each file, and how a file is committed so that no interruption can lose it.
 
-A file is written to a folder of its own first (.unfinished). Then its line goes to the manifest, then it is moved to its place.
-Wherever that is cut off, the next run sees it: without a line the file is made again; with a line it is looked for in both places
-and known by its hash.
+A file is written to a folder of its own first (.unfinished). Then its line goes to the manifest, then it is moved to
+its place. Wherever that is cut off, the next run sees it: without a line the file is made again; with a line it is
+looked for in both places and known by its hash.
 """
 
 import hashlib
@@ -35,7 +35,7 @@ class Manifest:
     """The manifest of one output folder. One run at a time holds it."""
 
     def __init__(self, folder):
-        """Raises BlockingIOError while another run holds the folder, ValueError when the manifest is not one of ours."""
+        """Raises BlockingIOError while another run holds the folder, ValueError when the manifest is none of ours."""
         self.folder = pathlib.Path(folder)
         self.path = self.folder / NAME
         self.folder.mkdir(parents=True, exist_ok=True)
@@ -122,7 +122,7 @@ class Manifest:
 
 
 def _lock(folder):
-    """Wait a moment for the workers of a run that was killed; then raise BlockingIOError while the folder is another's."""
+    """Wait a moment for the workers of a run that was killed. Raises BlockingIOError while the folder is another's."""
     if not fcntl:
         return ()
     descriptor = os.open(folder, os.O_RDONLY)

@@ -99,7 +99,10 @@ def check_value(name, value):
 
 
 def check_values(values):
-    """All values as PyMeshLab takes them, with what they imply: a position is meant to be used. Raises as check_value()."""
+    """All values as PyMeshLab takes them, with what they imply: a position is meant to be used.
+
+    Raises as check_value().
+    """
     checked = {name: check_value(name, value) for name, value in values.items()}
     if "camera" in checked:
         checked.setdefault("placement", CHOICES["placement"].index("Camera"))

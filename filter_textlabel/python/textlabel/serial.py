@@ -55,7 +55,7 @@ def _open_manifest(folder):
     except BlockingIOError:
         raise UsageError(f"Another run is writing to {folder}. Wait for it, or take another folder.") from None
     except ValueError as error:
-        raise UsageError(f"The folder {folder} cannot be resumed: {error}. Repair that line or take a new folder.") from None
+        raise UsageError(f"The folder {folder} cannot be resumed: {error}. Mend it or take another.") from None
     except OSError as error:
         raise UsageError(f"The folder {folder} cannot be written to: {error.strerror}.") from None
 
@@ -84,7 +84,7 @@ def _refuse_used_serials(tasks, manifest):
         other = used.get((task.part.name, serial_of(task.text)))
         if other:
             raise UsageError(
-                f"The serial '{task.text}' of row {task.row} is on {task.part.name} already: '{other}' in the manifest. "
+                f"The serial '{task.text}' of row {task.row} is on {task.part.name} already, as '{other}'. "
                 "Nothing was started; take other serials or another folder."
             )
 

@@ -161,7 +161,7 @@ def _file_name(part, text, fields, plan):
     safe = {name: file_part(value) if isinstance(value, str) else value for name, value in fields.items()}
     name = plan.name.fill({**safe, "text": file_part(text)})
     steps = name.split("/")
-    if not name or name.startswith(("/", "\\")) or any(step in ("", ".", "..") or step.startswith(".") for step in steps):
+    if "\\" in name or any(step == "" or step.startswith(".") for step in steps):
         raise UsageError(f"The file name '{name}' would leave the output folder or be hidden. Change --name.")
     return f"{name}.{plan.ending or part.suffix.lstrip('.') or 'stl'}"
 
@@ -172,7 +172,8 @@ def _refuse_duplicates(tasks):
         key = (os.path.realpath(task.part), serial_of(task.text))
         if key in serials:
             raise UsageError(
-                f"The serial '{task.text}' stands twice for {task.part.name}: in rows {serials[key].row} and {task.row}. "
+                f"The serial '{task.text}' stands twice for {task.part.name}: "
+                f"in rows {serials[key].row} and {task.row}. "
                 "Nothing was started; make the serials unique."
             )
         serials[key] = task

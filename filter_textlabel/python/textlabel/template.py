@@ -20,7 +20,7 @@ class Template:
             raise TemplateError(f"The template '{text}' cannot be read: {error}.") from None
         for field in self.fields:
             if not re.fullmatch(r"\w[\w -]*", field):
-                raise TemplateError(f"The template '{text}' holds {{{field}}}. Write the name of a field between braces.")
+                raise TemplateError(f"The template '{text}' holds {{{field}}}. Write a field's name in braces.")
 
     def check(self, names):
         """Raise TemplateError when a field is none of names."""
