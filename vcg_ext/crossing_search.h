@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -24,6 +25,8 @@ using Face = std::array<int, 3>;
 
 struct CrossingOptions {
 	bool stopAtFirst = false;  ///< return after one pair: enough to refuse
+	/// Called as ignore(first, second, secondIsOther) for a pair that crosses: true leaves it out. May be null.
+	std::function<bool(int, int, bool)> ignore;
 };
 
 /// Two faces that cross.
@@ -256,8 +259,9 @@ std::vector<FacePair> FindCrossingsOf(size_t count, const CornersOf& cornersOf, 
 	std::vector<FacePair> pairs;
 	const auto judge = [&](int i, int j, bool isOther, const Corners& second) {
 		const Contact contact = ContactWithinBoxes(cornersOf(static_cast<size_t>(i)), second);
-		if (IsCrossing(contact)) pairs.push_back({i, j, isOther, contact});
-		return !(options.stopAtFirst && IsCrossing(contact));
+		if (!IsCrossing(contact) || (options.ignore && options.ignore(i, j, isOther))) return true;
+		pairs.push_back({i, j, isOther, contact});
+		return !options.stopAtFirst;
 	};
 	const auto amongFaces = [&](int i, int j) {
 		return judge(std::min(i, j), std::max(i, j), false, cornersOf(static_cast<size_t>(std::max(i, j))));

@@ -75,6 +75,11 @@ private:
 	bool stepFromVertex(const PathNode& node, const vcg::Point2d& target, PathNode& next) const;
 	/// Half-edges out of v in the facing fan around it that holds `triangle`; returns the half-edge where the fan ends, or -1.
 	int collectFan(int v, int triangle) const;
+	/// A conflict; on the last leg it means that the start lies on another sheet than where the march has come.
+	[[noreturn]] void refuse(const char* why, const vcg::Point2d& place) const
+	{
+		throw PlacementConflict{why, place, goal_ == nullptr ? ErrorCode::TooFine : ErrorCode::Occluded};
+	}
 	[[noreturn]] void leave(int halfEdge, const PathNode& node) const;
 
 	bool areSame(const PathNode& a, const PathNode& b) const;
@@ -103,7 +108,8 @@ inline PathNode EdgeMarch::edgeNode(int h, double along) const
 inline bool EdgeMarch::settle(int t, const vcg::Point2d& p, PathNode& node) const
 {
 	const auto& v = sheet_.triangles[size_t(t)].vertex;
-	if (goal_ != nullptr && lieIn(t, *goal_)) {
+	if (goal_ != nullptr) {
+		if (!lieIn(t, *goal_)) return false;
 		node = *goal_;
 		node.triangle = t;
 		return true;
@@ -188,7 +194,7 @@ inline bool EdgeMarch::stepFromFace(const PathNode& node, const vcg::Point2d& ta
 			next = crossing(3 * t + int(k), node.plane, target);
 			return false;
 		}
-	throw PlacementConflict{"no way out of a triangle", node.plane};
+	refuse("no way out of a triangle", node.plane);
 }
 
 inline bool EdgeMarch::stepFromEdge(const PathNode& node, const vcg::Point2d& target, PathNode& next) const
@@ -203,7 +209,7 @@ inline bool EdgeMarch::stepFromEdge(const PathNode& node, const vcg::Point2d& ta
 			return false;
 		}
 	const int side = Orient2d(sheet_.plane(sheet_.from(h)), sheet_.plane(sheet_.to(h)), target);
-	if (side == 0) throw PlacementConflict{"the march runs along an edge and does not end", node.plane};
+	if (side == 0) refuse("the march runs along an edge and does not end", node.plane);
 	if (side > 0 && !onLeft) leave(other, node);
 	if (side < 0 && !onRight) leave(h, node);
 	const int into = side > 0 ? h : other, apex = sheet_.from(Sheet::Previous(into));
@@ -256,7 +262,7 @@ inline bool EdgeMarch::stepFromVertex(const PathNode& node, const vcg::Point2d& 
 		}
 	}
 	if (gap >= 0) leave(gap, node);
-	throw PlacementConflict{"no way out of a vertex", node.plane};
+	refuse("no way out of a vertex", node.plane);
 }
 
 inline bool EdgeMarch::lieOn(int halfEdge, const PathNode& node) const
@@ -307,13 +313,13 @@ inline SheetPath EdgeMarch::march(const std::vector<vcg::Point2d>& points, int t
 	for (size_t i = 1; i <= points.size(); ++i) {
 		const vcg::Point2d target = i < points.size() ? points[i] : node.plane;
 		goal_ = i < points.size() ? nullptr : &node;
-		size_t steps = 0;
-		for (bool arrived = false; !arrived;) {
+		for (size_t steps = 0;; ++steps) {
 			PathNode next;
-			if (++steps > patience) throw PlacementConflict{"the march does not end", target};
-			arrived = step(path.nodes.back(), target, next);
+			if (steps > patience) refuse("the march does not end", target);
+			const bool arrived = step(path.nodes.back(), target, next);
 			requireTwoSides(next);
 			if (!areSame(next, path.nodes.back())) path.nodes.push_back(next);
+			if (arrived) break;
 		}
 	}
 	goal_ = nullptr;

@@ -68,6 +68,8 @@ private:
 	static constexpr int bisections = 10;
 
 	Outline prepared(const Outline& outline, const vcg::Point2d& shift) const;
+	std::vector<vcg::Point2d> thinned(const std::vector<vcg::Point2d>& points) const;
+	void requireSheetSurvives() const;
 	bool attempt(const Outline& outline, bool last, LabelPlan& plan, PlacementConflict& conflict);
 	void finish(LabelPlan& plan, bool last) const;
 	void measureSurface(LabelPlan& plan) const;
@@ -97,26 +99,22 @@ inline void LabelPlanner::report(int percent) const
 	if (options_.progress && !options_.progress(percent)) throw Error(ErrorCode::Cancelled, "the caller said stop");
 }
 
-/// The outline shifted, without points that the resolution can't tell apart.
+/// The outline shifted, without points that the resolution can't tell apart: none closer than a few snaps to the one before,
+/// none that lies within `flat` of the line between its neighbours (a chain of such points is straight once rounded, and
+/// triangles between its points have no area).
 inline Outline LabelPlanner::prepared(const Outline& outline, const vcg::Point2d& shift) const
 {
-	constexpr double apart = 4;  // of snap: neighbours of a contour
 	Outline out;
 	out.partCount = outline.partCount;
 	for (const Contour& c : outline.contours) {
-		Contour& kept = out.contours.emplace_back();
-		kept.part = c.part;
-		kept.letter = c.letter;
+		out.contours.push_back({thinned(c.points), c.part, c.letter});
+		std::vector<vcg::Point2d>& points = out.contours.back().points;
+		for (vcg::Point2d& p : points) p += shift;
 		double perimeter = 0;
-		for (size_t i = 0; i < c.points.size(); ++i) {
-			const vcg::Point2d p = c.points[i] + shift;
+		for (size_t i = 0; i < c.points.size(); ++i)
 			perimeter += (c.points[i] - c.points[(i + 1) % c.points.size()]).Norm();
-			if (kept.points.empty() || (p - kept.points.back()).Norm() > apart * snap_) kept.points.push_back(p);
-		}
-		while (kept.points.size() > 1 && (kept.points.front() - kept.points.back()).Norm() <= apart * snap_)
-			kept.points.pop_back();
 		const double width = perimeter > 0 ? std::abs(TwiceSignedArea(c.points)) / perimeter : 0;
-		if (kept.points.size() < 3 || !(width >= leastStroke()))
+		if (points.size() < 3 || !(width >= leastStroke()))
 			throw Error(ErrorCode::TooFine, "a contour is finer than the coordinates")
 				.atLetter(c.letter)
 				.measured(width, leastStroke());
@@ -124,15 +122,63 @@ inline Outline LabelPlanner::prepared(const Outline& outline, const vcg::Point2d
 	return out;
 }
 
+inline std::vector<vcg::Point2d> LabelPlanner::thinned(const std::vector<vcg::Point2d>& points) const
+{
+	constexpr double apart = 4, flat = 0.5;  // of snap
+	const auto isOnLine = [&](const vcg::Point2d& a, const vcg::Point2d& b, size_t first, size_t last) {
+		const vcg::Point2d d = b - a;
+		for (size_t i = first; i < last; ++i) {
+			const vcg::Point2d x = points[i] - a;
+			if (std::abs(d ^ x) > flat * snap_ * d.Norm() || d * x < 0 || d * x > d.SquaredNorm()) return false;
+		}
+		return true;
+	};
+	std::vector<vcg::Point2d> kept;
+	size_t skipped = 0;  // the first point after the last one kept
+	for (size_t i = 0; i < points.size(); ++i) {
+		const vcg::Point2d& next = points[(i + 1) % points.size()];
+		if (!kept.empty() && (points[i] - kept.back()).Norm() <= apart * snap_) continue;
+		if (!kept.empty() && isOnLine(kept.back(), next, skipped, i + 1)) continue;
+		kept.push_back(points[i]);
+		skipped = i + 1;
+	}
+	while (kept.size() > 1 && (kept.front() - kept.back()).Norm() <= apart * snap_) kept.pop_back();
+	return kept;
+}
+
+/// A double mesh may be finer than float32: then no label on it survives float32.
+inline void LabelPlanner::requireSheetSurvives() const
+{
+	std::vector<std::pair<vcg::Point3d, int>> rounded;
+	bool changes = false;
+	for (const SheetVertex& v : sheet_.vertices) {
+		vcg::Point3d p = v.mesh;
+		for (int k = 0; k < 3; ++k) p[k] = precision_.round(p[k]);
+		changes = changes || p != v.mesh;
+		rounded.emplace_back(p, int(rounded.size()));
+	}
+	if (!changes) return;
+	std::sort(rounded.begin(), rounded.end());
+	for (size_t i = 1; i < rounded.size(); ++i) {
+		const SheetVertex &a = sheet_.vertices[size_t(rounded[i - 1].second)],
+						  &b = sheet_.vertices[size_t(rounded[i].second)];
+		if (rounded[i].first == rounded[i - 1].first && a.mesh != b.mesh)
+			throw Error(ErrorCode::TooFine, "the part itself is finer than float32")
+				.atPlace(a.mesh)
+				.measured((a.label - b.label).Norm(), ulp_);
+	}
+}
+
 inline LabelPlan LabelPlanner::plan(const Outline& outline)
 {
+	requireSheetSurvives();
 	PlacementConflict conflict{"", {0, 0}};
 	for (int i = 0; i < mostAttempts; ++i) {
 		constexpr double golden = 2.399963229728653;  // radians; a spiral that never repeats a direction
 		const vcg::Point2d shift = vcg::Point2d(std::cos(golden * i), std::sin(golden * i)) * (shiftUlps * i * ulp_);
 		LabelPlan plan;
 		plan.attempts = i + 1;
-		plan.resolution = snapUlps * ulp_ + shift.Norm();
+		plan.resolution = 2 * snap_ + shift.Norm();  // snapped, and thinned by less than as much again
 		if (attempt(prepared(outline, shift), i + 1 == mostAttempts, plan, conflict)) return plan;
 		report(10);
 	}
@@ -192,9 +238,15 @@ inline void LabelPlanner::finish(LabelPlan& plan, bool last) const
 		plan.patch = RaiseLabel(space_, sheet_, plan.cut, options_.height, options_.along);
 		verdict = check(plan.patch);
 	}
-	if (verdict.fault == PatchFault::Sound) return;
-	// a raised vertex may also fall on another by the height alone; to tell costs a search, so only when no shift has helped
-	if (options_.height != 0 && (verdict.fault >= PatchFault::Folded || last)) refuseHeight(plan, verdict);
+	// each removed face leaves a slot to be filled
+	const bool fits = plan.patch.faces.size() >= plan.patch.removed.size();
+	if (verdict.fault == PatchFault::Sound && fits) return;
+	// Along the view a raised letter can't meet itself: what looks like it is rounding, and a shift may help. Otherwise, a raised
+	// vertex may also fall on another by the height alone; to tell costs a search, so only when no shift has helped.
+	const bool mayFold = options_.along != ExtrudeAlong::Viewpoint;
+	const bool byHeight =
+		verdict.fault == PatchFault::CrossesPart || (mayFold && (verdict.fault >= PatchFault::Folded || last));
+	if (options_.height != 0 && byHeight) refuseHeight(plan, verdict);
 	throw PlacementConflict{"rounded coordinates spoil the label", space_.project(space_.toLabel(verdict.place))};
 }
 

@@ -111,18 +111,20 @@ inline PatchVerdict CheckCrossings(const Sheet& sheet, const LabelPatch& patch,
 		others.push_back(CornersOf(position, sheet.triangles[size_t(t)].vertex));
 		otherTriangle.push_back(t);
 	}
-	const auto onSurface = [&](const PatchFace& f) { return f.kind == FaceKind::Outside || patch.isFlat; };
-	for (const FacePair& pair : FindCrossings(mine, others)) {
-		const PatchFace& a = patch.faces[size_t(pair.first)];
-		const vcg::Point3d& place = position[size_t(a.vertex[0])];
-		if (!pair.secondIsOther) {
-			const PatchFace& b = patch.faces[size_t(pair.second)];
-			if (onSurface(a) && onSurface(b) && CrossedBefore(position, sheet, a, b.parent)) continue;
-			return {PatchFault::CrossesSelf, place, -1};
-		}
-		const int other = otherTriangle[size_t(pair.second)];
-		if (!onSurface(a) || !CrossedBefore(position, sheet, a, other))
-			return {PatchFault::CrossesPart, place, sheet.triangles[size_t(other)].face};
+	const auto onSurface = [&](int face) {
+		return patch.faces[size_t(face)].kind == FaceKind::Outside || patch.isFlat;
+	};
+	CrossingOptions options;
+	options.stopAtFirst = true;
+	options.ignore = [&](int first, int second, bool secondIsOther) {
+		if (!onSurface(first) || !(secondIsOther || onSurface(second))) return false;
+		const int other = secondIsOther ? otherTriangle[size_t(second)] : patch.faces[size_t(second)].parent;
+		return CrossedBefore(position, sheet, patch.faces[size_t(first)], other);
+	};
+	for (const FacePair& pair : FindCrossings(mine, others, options)) {
+		const vcg::Point3d& place = position[size_t(patch.faces[size_t(pair.first)].vertex[0])];
+		if (!pair.secondIsOther) return {PatchFault::CrossesSelf, place, -1};
+		return {PatchFault::CrossesPart, place, sheet.triangles[size_t(otherTriangle[size_t(pair.second)])].face};
 	}
 	return {};
 }

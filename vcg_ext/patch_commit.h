@@ -118,14 +118,21 @@ CommitResult CommitPatch(MeshType& m, const LabelSpace& space, const Sheet& shee
 	const size_t firstNewFace = m.face.size();
 	result.faces.resize(patch.faces.size());
 
-	// slots: the first piece of each removed face takes its place
-	std::vector<int> taken(sheet.triangles.size(), 0);
-	int appended = 0;
+	// slots: the first piece of each removed face takes its place; a face of which no piece is left (a sliver below the
+	// resolution) gives its place to a piece of another
+	std::vector<char> taken(sheet.triangles.size(), 0);
+	std::vector<size_t> owners, guests;
 	for (size_t i = 0; i < patch.faces.size(); ++i) {
 		const PatchFace& f = patch.faces[i];
 		const bool first = f.kind != FaceKind::Wall && !std::exchange(taken[size_t(f.parent)], 1);
-		result.faces[i] = first ? sheet.triangles[size_t(f.parent)].face : int(firstNewFace) + appended++;
+		(first ? owners : guests).push_back(i);
+		if (first) result.faces[i] = sheet.triangles[size_t(f.parent)].face;
 	}
+	size_t guest = 0;
+	for (const int t : patch.removed)
+		if (!taken[size_t(t)]) result.faces[guests[guest++]] = sheet.triangles[size_t(t)].face;
+	const int appended = int(guests.size() - guest);
+	for (int i = 0; guest < guests.size(); ++i) result.faces[guests[guest++]] = int(firstNewFace) + i;
 	detail::GrowMesh(m, patch.vertices.size(), size_t(appended));  // nothing below can fail
 
 	for (size_t i = 0; i < patch.vertices.size(); ++i)
@@ -134,8 +141,8 @@ CommitResult CommitPatch(MeshType& m, const LabelSpace& space, const Sheet& shee
 		m.vert[size_t(sheet.vertices[size_t(v)].index)].P() = {Scalar(p[0]), Scalar(p[1]), Scalar(p[2])};
 
 	const bool wedges = vcg::tri::HasPerWedgeTexCoord(m);
-	// the first piece overwrites its birth face, so it goes last
-	for (size_t i = patch.faces.size(); i-- > 0;) {
+	guests.insert(guests.end(), owners.begin(), owners.end());  // owners overwrite their birth face, so they go last
+	for (const size_t i : guests) {
 		const PatchFace& f = patch.faces[i];
 		const FaceType& birth = m.face[size_t(sheet.triangles[size_t(f.parent)].face)];
 		FaceType& to = m.face[size_t(result.faces[i])];

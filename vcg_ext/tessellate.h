@@ -9,6 +9,7 @@
 
 #include <GL/glu.h>
 #include <array>
+#include <cstdint>
 #include <memory>
 #include <vcg/space/point3.h>
 
