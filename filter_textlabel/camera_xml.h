@@ -2,7 +2,7 @@
 // MeshLab's camera as text: what "Copy camera settings to clipboard" gives, read and written.
 //
 // The text is an XML document with an element
-//   <VCGCamera TranslationVector="x y z 1" RotationMatrix="16 numbers, by rows" FocalMm ViewportPx PixelSizeMm CenterPx CameraType .../>
+//   <VCGCamera TranslationVector="x y z 1" RotationMatrix="16 numbers, by rows" FocalMm="..." ViewportPx="..." .../>
 // where TranslationVector is minus the viewpoint and the rows of the matrix are the camera's axes in world coordinates:
 // right, up, and backwards (from the scene towards the viewer). CameraType 0 is perspective, every other parallel.
 // Source: VCGlib, wrap/qt/shot_qt.h and vcg/math/shot.h.

@@ -52,10 +52,10 @@ refuse() {
 
 parameters=()
 files=()
-placement=
-colors=
+at=
+direction=
 camera=
-set_point() { placement=point; parameters+=("$1=$2"); }
+colors=
 
 # A path that stays right when MeshLab changes its folder.
 absolute() { realpath -ms -- "$1"; }
@@ -76,8 +76,8 @@ while [ $# -gt 0 ]; do
 	*) files+=("$option") ;;
 	esac
 	case $option in
-	--at) set_point position "$value" ;;
-	--direction) set_point direction "$value" ;;
+	--at) at=$value ;;
+	--direction) direction=$value ;;
 	--up) parameters+=("up=$value") ;;
 	--camera) camera=$value ;;
 	--offset)
@@ -90,10 +90,10 @@ while [ $# -gt 0 ]; do
 		if [ -e "$value" ]; then value=$(absolute "$value"); fi
 		parameters+=("font=$value")
 		;;
-	--color) colors=fc; parameters+=("color=$value" "tint=true") ;;
+	--color) colors="fc"; parameters+=("color=$value" "tint=true") ;;
 	--style)
 		parameters+=("style=$value")
-		if [[ ${value,,} == f* ]]; then colors=fc; fi
+		if [[ ${value,,} == f* ]]; then colors="fc"; fi
 		;;
 	--size | --depth | --tolerance) parameters+=("${option#--}=$value") ;;
 	--set) parameters+=("$value") ;;
@@ -102,14 +102,21 @@ while [ $# -gt 0 ]; do
 done
 [ ${#files[@]} -eq 3 ] || wrong "INPUT, OUTPUT and TEXT are needed; ${#files[@]} of the three are there"
 input=${files[0]} output=${files[1]}
-if [ -n "$camera" ]; then
-	[ -z "$placement" ] || wrong "--camera and --at say two different places"
-	[ -f "$camera" ] && [ -r "$camera" ] || refuse "The camera file '$camera' cannot be read. Give the text that MeshLab copied, as a file."
-	camera=$(iconv -f UTF-8 -t UTF-8 -- "$camera" 2>/dev/null | tr -d '\0') || refuse "The camera file '${camera}' is no text. Give what MeshLab copied."
-	placement=camera
-	parameters+=("camera=$camera")
+placement=automatic
+if [ -n "$at" ]; then
+	placement=point
+	parameters+=("position=$at" ${direction:+"direction=$direction"})
+elif [ -n "$direction" ]; then
+	wrong "--direction goes with --at"
 fi
-parameters=("placement=${placement:-automatic}" "${parameters[@]}" "text=${files[2]}")
+if [ -n "$camera" ]; then
+	[ -z "$at" ] || wrong "--camera and --at say two different places"
+	view=$(iconv -f UTF-8 -t UTF-8 -- "$camera" 2>/dev/null | tr -d '\0') ||
+		refuse "The camera file '$camera' cannot be read as text. Give what MeshLab copied, as a file."
+	placement=camera
+	parameters+=("camera=$view")
+fi
+parameters=("placement=$placement" "${parameters[@]}" "text=${files[2]}")
 
 # ---- what can be refused before MeshLab starts
 

@@ -1,3 +1,4 @@
+# shellcheck shell=bash
 # Functions to run Debian's MeshLab 2020.09 with a plugin that is not installed, on a display of its own. To be sourced.
 #
 # MeshLab finds its plugins beside its program (../lib/<triplet>/meshlab/plugins), and no variable changes that: so a copy of the

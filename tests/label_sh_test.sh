@@ -232,6 +232,8 @@ refused 2 'no option --sise' --sise 3 box.off out.stl A
 refused 2 'needs a value' box.off out.stl A --size
 refused 2 "'abc' of size" --size abc box.off out.stl A
 refused 2 "'1,2' of position" --at 1,2 box.off out.stl A
+refused 2 'goes with --at' --direction 0,0,1 box.off out.stl A
+refused 2 'two different places' --at 1,2,3 --camera above.xml box.off out.stl A
 refused 2 "'bold' of style" --style bold box.off out.stl A
 refused 2 "no parameter 'colour'" --set colour=red box.off out.stl A
 
@@ -277,7 +279,7 @@ printf '\xff\xfe\x00<' >bytes.xml
 refused 1 'inside' --camera inside.xml box.off out.stl A
 refused 1 'meets no part' --camera beside.xml box.off out.stl A
 refused 1 'meets no part' --camera below.xml box.off out.stl A
-refused 1 'no text|not XML' --camera bytes.xml box.off out.stl A
+refused 1 'as text|not XML' --camera bytes.xml box.off out.stl A
 refused 1 'VCGCamera|not XML' --camera other.xml box.off out.stl A
 refused 1 'RotationMatrix is missing' --camera incomplete.xml box.off out.stl A
 refused 1 'not a rotation' --camera scaled.xml box.off out.stl A
