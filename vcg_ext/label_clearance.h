@@ -168,7 +168,7 @@ inline Clearance MeasureClearance(const LabelSpace& space, const Sheet& sheet, c
 				overlap = overlap.clipped(letter[k], letter[(k + 1) % 3]);
 			if (overlap.size < 3 || overlap.area() <= resolution * overlap.perimeter()) return;
 			double least = std::numeric_limits<double>::infinity(), most = -least;
-			vcg::Point3d place;
+			vcg::Point3d place(0, 0, 0);
 			for (int i = 0; i < overlap.size; ++i) {
 				const vcg::Point3d q = pointOn(parent[size_t(s)], overlap.point[size_t(i)]);
 				const double depth = (q - pointOn(t, overlap.point[size_t(i)])) * space.towardsViewer(q);  // > 0 behind
