@@ -25,7 +25,7 @@ struct Pen {
 	/// Back to the start; fonts may leave out the last line.
 	void close()
 	{
-		if (!contours.empty() && !(at == start)) add({1, {at, start}});
+		if (!contours.empty() && !(at == start)) add(CurvePiece::Line(at, start));
 		if (!contours.empty() && contours.back().empty()) contours.pop_back();
 	}
 };
@@ -43,21 +43,21 @@ int LineTo(const FT_Vector* to, void* user)
 {
 	Pen& pen = *static_cast<Pen*>(user);
 	const Point2d end = pen.scaled(to);
-	if (!(end == pen.at)) pen.add({1, {pen.at, end}});
+	if (!(end == pen.at)) pen.add(CurvePiece::Line(pen.at, end));
 	return 0;
 }
 
 int ConicTo(const FT_Vector* control, const FT_Vector* to, void* user)
 {
 	Pen& pen = *static_cast<Pen*>(user);
-	pen.add({2, {pen.at, pen.scaled(control), pen.scaled(to)}});
+	pen.add(CurvePiece::Quadratic(pen.at, pen.scaled(control), pen.scaled(to)));
 	return 0;
 }
 
 int CubicTo(const FT_Vector* control1, const FT_Vector* control2, const FT_Vector* to, void* user)
 {
 	Pen& pen = *static_cast<Pen*>(user);
-	pen.add({3, {pen.at, pen.scaled(control1), pen.scaled(control2), pen.scaled(to)}});
+	pen.add(CurvePiece::Cubic(pen.at, pen.scaled(control1), pen.scaled(control2), pen.scaled(to)));
 	return 0;
 }
 

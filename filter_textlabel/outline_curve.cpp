@@ -60,7 +60,7 @@ std::vector<CurveContour> Mapped(const std::vector<CurveContour>& contours, cons
 	std::vector<CurveContour> result = contours;
 	for (CurveContour& contour : result) {
 		for (CurvePiece& piece : contour) {
-			for (std::size_t i = 0; i <= static_cast<std::size_t>(piece.degree); ++i) piece.p[i] = map(piece.p[i]);
+			for (vcg::Point2d& p : piece.p) p = map(p);
 		}
 	}
 	return result;

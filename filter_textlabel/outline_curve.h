@@ -8,10 +8,20 @@
 
 namespace textlabel {
 
-/// A Bézier curve of degree 1, 2 or 3; p[0] is its start, p[degree] its end.
+/// A Bézier curve of degree 1, 2 or 3; p[0] is its start, p[degree] and all after it are its end.
 struct CurvePiece {
-	int degree = 1;
+	int degree;
 	std::array<vcg::Point2d, 4> p;
+
+	static CurvePiece Line(const vcg::Point2d& a, const vcg::Point2d& b) { return {1, {a, b, b, b}}; }
+	static CurvePiece Quadratic(const vcg::Point2d& a, const vcg::Point2d& b, const vcg::Point2d& c)
+	{
+		return {2, {a, b, c, c}};
+	}
+	static CurvePiece Cubic(const vcg::Point2d& a, const vcg::Point2d& b, const vcg::Point2d& c, const vcg::Point2d& d)
+	{
+		return {3, {a, b, c, d}};
+	}
 
 	const vcg::Point2d& start() const { return p[0]; }
 	const vcg::Point2d& end() const { return p[static_cast<std::size_t>(degree)]; }

@@ -14,7 +14,12 @@ class Curves : public testing::Test {
 protected:
 	double number() { return std::uniform_real_distribution<double>(-1, 1)(m_random); }
 	Point2d point() { return {number(), number()}; }
-	CurvePiece piece(int degree) { return {degree, {point(), point(), point(), point()}}; }
+	CurvePiece piece(int degree)
+	{
+		if (degree == 1) return CurvePiece::Line(point(), point());
+		if (degree == 2) return CurvePiece::Quadratic(point(), point(), point());
+		return CurvePiece::Cubic(point(), point(), point(), point());
+	}
 
 private:
 	std::mt19937 m_random{3};
@@ -24,7 +29,7 @@ TEST_F(Curves, BoxIsThatOfDenseSamples)
 {
 	for (int round = 0; round < 300; ++round) {
 		const CurvePiece p = piece(1 + round % 3);
-		const vcg::Box2d box = BoxOf({{p, {1, {p.end(), p.start()}}}});
+		const vcg::Box2d box = BoxOf({{p, CurvePiece::Line(p.end(), p.start())}});
 		vcg::Box2d samples;
 		for (int i = 0; i <= 2000; ++i) samples.Add(PointAt(p, i / 2000.0));
 		for (int axis = 0; axis < 2; ++axis) {

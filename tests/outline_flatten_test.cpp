@@ -91,7 +91,7 @@ CurveContour Circle(double radius)
 	const Point2d corners[] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
 	for (std::size_t i = 0; i < 4; ++i) {
 		const Point2d a = corners[i] * radius, b = corners[(i + 1) % 4] * radius;
-		contour.push_back({3, {a, a + b * kArm, b + a * kArm, b}});
+		contour.push_back(CurvePiece::Cubic(a, a + b * kArm, b + a * kArm, b));
 	}
 	return contour;
 }
@@ -112,7 +112,7 @@ TEST(Flatten, ASquareStaysASquareAtAnyTolerance)
 {
 	const Ring corners{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
 	CurveContour square;
-	for (std::size_t i = 0; i < 4; ++i) square.push_back({1, {corners[i], corners[(i + 1) % 4]}});
+	for (std::size_t i = 0; i < 4; ++i) square.push_back(CurvePiece::Line(corners[i], corners[(i + 1) % 4]));
 	for (const double tolerance : {1e-6, 1e-3, 0.1}) EXPECT_EQ(Flatten(square, tolerance), corners);
 }
 
@@ -125,8 +125,8 @@ TEST(Flatten, ADotSmallerThanTheToleranceStaysADot)
 TEST(Flatten, NothingWithoutArea)
 {
 	EXPECT_TRUE(Flatten({}, 0.1).empty());
-	EXPECT_TRUE(Flatten({{1, {Point2d(0, 0), Point2d(1, 0)}}, {1, {Point2d(1, 0), Point2d(0, 0)}}}, 0.1).empty());
-	EXPECT_TRUE(Flatten({{2, {Point2d(1, 1), Point2d(1, 1), Point2d(1, 1)}}}, 0.1).empty());
+	EXPECT_TRUE(Flatten({CurvePiece::Line({0, 0}, {1, 0}), CurvePiece::Line({1, 0}, {0, 0})}, 0.1).empty());
+	EXPECT_TRUE(Flatten({CurvePiece::Quadratic({1, 1}, {1, 1}, {1, 1})}, 0.1).empty());
 }
 
 TEST(Flatten, RefusesWhatWouldTakeTooManyPoints) { EXPECT_THROW(Flatten(Circle(1e9), 1e-9), TextError); }
