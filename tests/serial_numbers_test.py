@@ -32,7 +32,7 @@ from textlabel.manifest import sha256
 COUNT = int(os.environ.get("TEXTLABEL_SERIALS", "60"))
 PLACE = ["--at", "0,-20,8", "--direction", "0,0,1", "--up", "0,1,0", "--size", "7", "--depth", "1"]
 BRACKET = MESHES / "bracket.stl"
-PATIENCE = 60  # seconds
+PATIENCE = 300  # seconds
 
 
 def serials(count):

@@ -66,7 +66,7 @@ class Crew:
     """Threads that hand out tasks, each to a process of its own."""
 
     def __init__(self, tasks, size, held=()):
-        """tasks: [(key, task as worker.py takes it)], begun in this order. held: descriptors that the processes hold."""
+        """tasks: [(key, task for worker.py)], begun in this order. held: descriptors that the processes keep open."""
         self._held = held
         self._open = queue.SimpleQueue()
         for item in tasks:
