@@ -141,8 +141,8 @@ void FontFace::setAxes()
 
 void FontFace::makeShaper()
 {
-	// HarfBuzz reads an OpenType font's tables by itself, through FreeType, which unpacks WOFF. Other kinds (Type 1) have
-	// none: FreeType then answers HarfBuzz's questions, in 64 parts of a font unit.
+	// HarfBuzz reads an OpenType font's tables by itself, through FreeType, which unpacks WOFF. Other kinds (Type 1)
+	// have none: FreeType then answers HarfBuzz's questions, in 64 parts of a font unit.
 	constexpr double kParts = 64;
 	FT_Face face = m_face.get();
 	m_shaperUnits = face->units_per_EM;

@@ -49,8 +49,8 @@ AxisSetting ParseAxis(const std::string& text)
 	return axis;
 }
 
-/// Where the file's name ends: the longest piece before a colon or a number sign that exists, else before the first of them
-/// that follows the last slash.
+/// Where the file's name ends: the longest piece before a colon or a number sign that exists, else before the first of
+/// them that follows the last slash.
 std::size_t FileNameLength(const std::string& text)
 {
 	for (std::size_t end = text.size(); end != std::string::npos && end > 0; end = text.find_last_of(":#", end - 1)) {

@@ -8,7 +8,8 @@ namespace {
 
 using ClipperLib::DoublePoint;
 
-/// Pieces of one ring that are closer than this along the ring (times `finest`) are one corner, not two that come close.
+/// Pieces of one ring that are closer than this along the ring (times `finest`) are one corner, not two that come
+/// close.
 constexpr double kDetour = 4;
 /// Corners of a capsule's round end: an octagon.
 constexpr int kEndCorners = 8;
@@ -28,7 +29,8 @@ DoublePoint PointOn(const GridEdge& e, double t)
 	                   static_cast<double>(e.a.Y) + t * static_cast<double>(e.b.Y - e.a.Y));
 }
 
-/// The distance of a point of e from f, as it moves along e: a convex function, so what is below a bound is an interval.
+/// The distance of a point of e from f, as it moves along e: a convex function, so what is below a bound is an
+/// interval.
 class DistanceAlong {
 public:
 	DistanceAlong(const GridEdge& e, const GridEdge& f) : m_e(e), m_f(f) {}

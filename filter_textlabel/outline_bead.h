@@ -1,9 +1,9 @@
 #pragma once
 // Beads: small bridges where two pieces of a boundary come too close.
 //
-// Where rings touch in a point, where a gap or a neck is narrower than the outline's own error, the text is welded: the stretch
-// of the one edge that is too close to the other, widened to a capsule, is united with the text. A gap closes, a neck gets as
-// wide as the capsule, all else stays as it is to the last digit.
+// Where rings touch in a point, where a gap or a neck is narrower than the outline's own error, the text is welded: the
+// stretch of the one edge that is too close to the other, widened to a capsule, is united with the text. A gap closes,
+// a neck gets as wide as the capsule, all else stays as it is to the last digit.
 
 #include "outline_grid.h"
 

@@ -13,8 +13,8 @@ using vcg::Point2d;
 constexpr double kSampleShare = 0.01;
 /// A joint that turns by more than this is a corner, and stays (radians; about 15 degrees).
 constexpr double kCorner = 0.26;
-/// A line longer than this keeps its ends, a corner between pieces longer than this stays (times the tolerance). What is
-/// shorter is a detail, which the tolerance rules.
+/// A line longer than this keeps its ends, a corner between pieces longer than this stays (times the tolerance). What
+/// is shorter is a detail, which the tolerance rules.
 constexpr double kDetail = 8;
 /// Longest reach of a chord, in samples: bounds the work where a font has thousands of points within the tolerance.
 constexpr std::size_t kReach = 256;

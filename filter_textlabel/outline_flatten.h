@@ -1,10 +1,10 @@
 #pragma once
 // Curves to polylines with as few points as the chord error allows.
 //
-// A curve is first sampled so densely that the samples stand for it (Wang's bound on the distance of a Bézier curve from its
-// chords: d (d-1) / 8 · max |second difference| / n²). Then each chord reaches as far as the tolerance lets it, across the
-// joints of the font's own pieces, and at last the chords of a stretch are evened out: the least error with that many chords.
-// Corners and the ends of straight lines stay where the font has them.
+// A curve is first sampled so densely that the samples stand for it (Wang's bound on the distance of a Bézier curve
+// from its chords: d (d-1) / 8 · max |second difference| / n²). Then each chord reaches as far as the tolerance lets
+// it, across the joints of the font's own pieces, and at last the chords of a stretch are evened out: the least error
+// with that many chords. Corners and the ends of straight lines stay where the font has them.
 
 #include <vector>
 #include "outline_curve.h"

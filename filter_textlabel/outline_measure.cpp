@@ -42,8 +42,8 @@ Point2d NearestOn(const Edge& e, const Point2d& q)
 	return e.a + d * std::clamp(((q - e.a) * d) / d.SquaredNorm(), 0.0, 1.0);
 }
 
-/// Is `direction` (unit) a normal of the boundary at the corner between two edges, within `slack` radians? A corner that
-/// sticks out to that side has all the normals from the one edge's to the other's.
+/// Is `direction` (unit) a normal of the boundary at the corner between two edges, within `slack` radians? A corner
+/// that sticks out to that side has all the normals from the one edge's to the other's.
 /// @param[in] side  +1: outward normals, -1: inward ones
 bool IsNormalAt(const Edge& before, const Edge& after, const Point2d& direction, int side, double slack)
 {
@@ -126,7 +126,8 @@ private:
 		return IsTaper(pocket);
 	}
 
-	/// Look from the corner at the end of an edge for what faces it. side +1: across the inside, -1: across the outside.
+	/// Look from the corner at the end of an edge for what faces it. side +1: across the inside, -1: across the
+	/// outside.
 	void searchFrom(std::size_t corner, int side, Width width)
 	{
 		const Edge &before = m_edges[corner], &after = m_edges[Walk{m_edges}.next(corner)];

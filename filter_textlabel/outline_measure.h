@@ -1,10 +1,11 @@
 #pragma once
 // How thin is the thinnest stroke, how narrow the narrowest gap?
 //
-// A stroke is where two pieces of the boundary face each other across the inside, a gap where they do across the outside.
-// Faces: their normals are opposite within kFacing. So the sides of a stem count, those of a corner do not. Nor does the point
-// in which a stroke or a gap tapers off: it has no width of its own, and prints as a stroke or a gap that is a bit shorter. As
-// the sides need not be quite parallel, the width of a round is measured up to 3 percent short.
+// A stroke is where two pieces of the boundary face each other across the inside, a gap where they do across the
+// outside. Faces: their normals are opposite within kFacing. So the sides of a stem count, those of a corner do not.
+// Nor does the point in which a stroke or a gap tapers off: it has no width of its own, and prints as a stroke or a gap
+// that is a bit shorter. As the sides need not be quite parallel, the width of a round is measured up to 3 percent
+// short.
 
 #include <vector>
 #include "vcg_ext/contour.h"

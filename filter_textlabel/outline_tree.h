@@ -1,8 +1,8 @@
 #pragma once
 // A tree of boxes over things in the plane: which of them may be near a place?
 //
-// Built once by halving the things at the median of the wider direction, so that it works as well for a line of text as for
-// ten thousand lines. Header only, for any coordinate type.
+// Built once by halving the things at the median of the wider direction, so that it works as well for a line of text as
+// for ten thousand lines. Header only, for any coordinate type.
 
 #include <algorithm>
 #include <cstddef>

@@ -1,9 +1,9 @@
 #pragma once
 // Clipper's union by the non-zero rule, checked.
 //
-// Clipper's sweep takes a wrong turn once in some ten thousand tangles where many edges meet in one point or run along one
-// another, and does not say so. It hardly ever does when x and y change places: so the sweep is run both ways, and when the
-// areas differ, again with every point moved by a random trifle, until they agree.
+// Clipper's sweep takes a wrong turn once in some ten thousand tangles where many edges meet in one point or run along
+// one another, and does not say so. It hardly ever does when x and y change places: so the sweep is run both ways, and
+// when the areas differ, again with every point moved by a random trifle, until they agree.
 
 #include "outline_grid.h"
 

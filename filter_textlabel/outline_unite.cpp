@@ -134,8 +134,8 @@ FlatBox<cInt> BoxOf(const Paths& rings, cInt margin)
 	return {box.x0 - margin, box.y0 - margin, box.x1 + margin, box.y1 + margin};
 }
 
-/// Letters whose boxes meet, directly or over others, as lists of their indices: the others cannot touch, and need not be
-/// united. Clipper's time grows with the square of the letters side by side.
+/// Letters whose boxes meet, directly or over others, as lists of their indices: the others cannot touch, and need not
+/// be united. Clipper's time grows with the square of the letters side by side.
 std::vector<std::vector<std::size_t>> Neighbourhoods(const std::vector<Paths>& shapes, double finest)
 {
 	std::vector<FlatBox<cInt>> boxes;
@@ -179,8 +179,8 @@ struct PointHash {
 /// Which letter a point comes from; the first one, where letters share it.
 using LetterOfPoint = std::unordered_map<IntPoint, int, PointHash>;
 
-/// The first letter that has a point of the ring. Beads lie between letters, so that some point of any ring is a letter's,
-/// but for a gap that is enclosed by crossings alone: it goes to the letter before it in `letters`.
+/// The first letter that has a point of the ring. Beads lie between letters, so that some point of any ring is a
+/// letter's, but for a gap that is enclosed by crossings alone: it goes to the letter before it in `letters`.
 int LetterOf(const Path& ring, const LetterOfPoint& letterOf, int otherwise)
 {
 	int first = -1;

@@ -1,9 +1,10 @@
 #pragma once
 // From the rings of single letters to the outline of the whole text.
 //
-// Fonts draw letters of overlapping, touching, doubled or self-crossing contours. Clipper unites them on an integer grid by
-// the non-zero rule: each letter by itself first, since fonts differ in which way round they draw, then all together. What
-// is left too close to each other (a pinch, a gap or a neck below `finest`) is bridged by a bead (outline_bead.h).
+// Fonts draw letters of overlapping, touching, doubled or self-crossing contours. Clipper unites them on an integer
+// grid by the non-zero rule: each letter by itself first, since fonts differ in which way round they draw, then all
+// together. What is left too close to each other (a pinch, a gap or a neck below `finest`) is bridged by a bead
+// (outline_bead.h).
 
 #include <string>
 #include <vector>
@@ -24,8 +25,8 @@ struct UniteOptions {
 	double embolden = 0;  ///< move the outline outwards by so much
 };
 
-/// What is narrower than this times the tolerance cannot be told from a touch: gaps are closed, necks widened to it, specks
-/// left out.
+/// What is narrower than this times the tolerance cannot be told from a touch: gaps are closed, necks widened to it,
+/// specks left out.
 constexpr double kFinest = 1.0 / 8;
 
 struct United {

@@ -1,8 +1,8 @@
 #pragma once
 // What can be wrong with a text, its font or its options.
 //
-// MakeTextOutline throws a TextError: a code with the data that belongs to it. Sentence() says in one place what is wrong,
-// where, and what to do about it.
+// MakeTextOutline throws a TextError: a code with the data that belongs to it. Sentence() says in one place what is
+// wrong, where, and what to do about it.
 
 #include <cstddef>
 #include <exception>

@@ -40,8 +40,8 @@ LetterIndex IndexLetters(const std::vector<ShapedLine>& lines)
 	return index;
 }
 
-/// Rule L2 of the bidirectional algorithm: from the highest level down to the lowest odd one, turn every run of that level or
-/// higher round.
+/// Rule L2 of the bidirectional algorithm: from the highest level down to the lowest odd one, turn every run of that
+/// level or higher round.
 void OrderVisually(Items& items)
 {
 	int highest = 0;
@@ -173,8 +173,8 @@ Affine ClusterPlace(double x, double baseline, double arcRadius)
 	return {c, s, -s, c, radius * s, baseline + sink};
 }
 
-/// Smallest radius of the first baseline at which a line fits on its arc: it may go round once, and letters that hang in a
-/// circle need room for their height.
+/// Smallest radius of the first baseline at which a line fits on its arc: it may go round once, and letters that hang
+/// in a circle need room for their height.
 double LeastRadius(double width, double baseline, bool hanging, double capitalHeight)
 {
 	const double least = std::max(width / (2 * kPi), hanging ? capitalHeight : 0);

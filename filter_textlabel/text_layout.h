@@ -29,8 +29,8 @@ struct LayoutOptions {
 /// The map from the em square to an upright letter at the origin: size and slant, the same for all letters.
 Affine FormOf(const LayoutOptions& options);
 
-/// Set the lines: the first baseline on v = 0, u = 0 at the left end, the middle or the right end of each line. On an arc, the
-/// point of it that is on top (or, hanging, at the bottom) is at (0, 0).
+/// Set the lines: the first baseline on v = 0, u = 0 at the left end, the middle or the right end of each line. On an
+/// arc, the point of it that is on top (or, hanging, at the bottom) is at (0, 0).
 /// @throws TextError{BadArc}
 std::vector<PlacedGlyph> Layout(const std::vector<ShapedLine>& lines, const FontStack& fonts,
                                 const LayoutOptions& options);

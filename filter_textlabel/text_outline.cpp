@@ -158,7 +158,8 @@ vcg::Point2d AnchorOf(const vcg::Box2d& ink, const TextOptions& options)
 	return anchor;
 }
 
-/// Flatten the placed glyphs, letter by letter. A glyph is flattened once and then moved: its chord error moves with it.
+/// Flatten the placed glyphs, letter by letter. A glyph is flattened once and then moved: its chord error moves with
+/// it.
 std::vector<LetterRings> RingsOf(const std::vector<PlacedGlyph>& placed, const Affine& form, const Affine& last,
                                  Glyphs& glyphs, double tolerance)
 {

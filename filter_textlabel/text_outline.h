@@ -2,8 +2,8 @@
 // Text to outlines: a text and a font in, simple polygons in the label plane out.
 //
 // The text is set as a text editor sets it: bidirectional order by FriBidi, shaping by HarfBuzz, fonts by FreeType and
-// Fontconfig. The curves are flattened at the final size, the letters united into one clean outline. Free of Qt and MeshLab,
-// thread-safe; the same input gives the same bytes.
+// Fontconfig. The curves are flattened at the final size, the letters united into one clean outline. Free of Qt and
+// MeshLab, thread-safe; the same input gives the same bytes.
 
 #include <string>
 #include <vector>
@@ -58,8 +58,8 @@ struct TextOutline {
 	/// Simple, pairwise disjoint (they do not touch either), nested, oriented; no repeated and no redundant point;
 	/// each contour starts at its leftmost, then lowest point; parts in reading order of their letters.
 	vcg::textlabel::Outline outline;
-	/// The clusters of the text that are shaped as one (a letter with its marks, a ligature, a blank), UTF-8, in the order of
-	/// the text; Contour::letter is an index into it.
+	/// The clusters of the text that are shaped as one (a letter with its marks, a ligature, a blank), UTF-8, in the
+	/// order of the text; Contour::letter is an index into it.
 	std::vector<std::string> letters;
 	vcg::Point2d boxMin{0, 0}, boxMax{0, 0};
 	std::vector<std::string> fonts;  ///< those used, the main one first: "DejaVu Sans Bold (file, face 0, wght=650)"
@@ -69,8 +69,8 @@ struct TextOutline {
 };
 
 /// Set a text.
-/// @param[in] utf8  the text; a line break, or a backslash followed by n, breaks a line; a tab, or a backslash followed by t,
-///                  goes to the next tab stop (8 blanks); a doubled backslash before n or t stands for itself
+/// @param[in] utf8  the text; a line break, or a backslash followed by n, breaks a line; a tab, or a backslash followed
+///                  by t, goes to the next tab stop (8 blanks); a doubled backslash before n or t stands for itself
 /// @throws TextError
 /// @throws std::bad_alloc
 TextOutline MakeTextOutline(const std::string& utf8, const TextOptions& options);

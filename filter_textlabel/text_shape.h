@@ -1,8 +1,8 @@
 #pragma once
 // Shaping: which glyphs of which font, in which order, how far apart.
 //
-// A line is a paragraph of the Unicode bidirectional algorithm (FriBidi). It is cut into items of one direction, one script and
-// one font, and HarfBuzz shapes each of them in the sight of its neighbours.
+// A line is a paragraph of the Unicode bidirectional algorithm (FriBidi). It is cut into items of one direction, one
+// script and one font, and HarfBuzz shapes each of them in the sight of its neighbours.
 
 #include <memory>
 #include <string>

@@ -13,7 +13,8 @@ std::u32string DecodeUtf8(const std::string& utf8);
 std::string EncodeUtf8(std::u32string_view text);
 
 /// The lines of a text, without what ends them: any Unicode line break, or the two characters \n. Also turns the two
-/// characters \t into a tab; a doubled backslash before n or t stands for itself. Blanks at the end of a line are cut off.
+/// characters \t into a tab; a doubled backslash before n or t stands for itself. Blanks at the end of a line are cut
+/// off.
 /// @return at least one line
 std::vector<std::u32string> SplitLines(std::u32string_view text);
 

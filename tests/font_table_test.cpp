@@ -1,6 +1,6 @@
-// Every glyph of a dozen font families: is its outline sound at the default tolerance, and, finely flattened, of the area that
-// FreeType's rasteriser fills? Prints a table. A sample of the glyphs by default; all of them (5,000 of the 65,535 of Noto CJK)
-// when TEXTLABEL_ALL_GLYPHS is set.
+// Every glyph of a dozen font families: is its outline sound at the default tolerance, and, finely flattened, of the
+// area that FreeType's rasteriser fills? Prints a table. A sample of the glyphs by default; all of them (5,000 of the
+// 65,535 of Noto CJK) when TEXTLABEL_ALL_GLYPHS is set.
 
 #include <cmath>
 #include <cstdlib>

@@ -2,8 +2,8 @@
 //
 //   tests/fuzz.sh font -max_total_time=600 -max_len=20000 -rss_limit_mb=4096
 //
-// Small fonts make good seeds: hb-subset --unicodes=41,34,33 --output-file=build/fuzz/corpus-font/seed FONT, with a byte of your
-// choice put in front (it selects the text and the options).
+// Small fonts make good seeds: hb-subset --unicodes=41,34,33 --output-file=build/fuzz/corpus-font/seed FONT, with a
+// byte of your choice put in front (it selects the text and the options).
 
 #include <cstdio>
 #include <cstdlib>

@@ -55,8 +55,8 @@ double ErrorOf(const CurveContour& contour, const Ring& ring)
 	return error;
 }
 
-/// The least number of chords between samples of a closed curve that keep within the error: the shortest way round in the graph
-/// of all chords that do, over all places to start (Imai and Iri 1986).
+/// The least number of chords between samples of a closed curve that keep within the error: the shortest way round in
+/// the graph of all chords that do, over all places to start (Imai and Iri 1986).
 std::size_t LeastPoints(const Ring& dense, double error)
 {
 	const std::size_t n = dense.size();

@@ -1,4 +1,5 @@
-// The union of letters: every case of the corpus, turned, mirrored, moved and scaled, against numbers worked out by hand.
+// The union of letters: every case of the corpus, turned, mirrored, moved and scaled, against numbers worked out by
+// hand.
 
 #include "outline_unite.h"
 

@@ -1,5 +1,5 @@
-// Text to outline, end to end: sizes and places measured on the outline, what every option does, and that every wrong input is
-// the error that says so.
+// Text to outline, end to end: sizes and places measured on the outline, what every option does, and that every wrong
+// input is the error that says so.
 
 #include "text_outline.h"
 

@@ -1,5 +1,6 @@
-// Shaping and line layout, glyph by glyph against HarfBuzz's own tool hb-shape. What hb-shape does not do, the order of runs in
-// a line of mixed directions, is written down by hand: each case lists its runs from left to right as the page shows them.
+// Shaping and line layout, glyph by glyph against HarfBuzz's own tool hb-shape. What hb-shape does not do, the order of
+// runs in a line of mixed directions, is written down by hand: each case lists its runs from left to right as the page
+// shows them.
 
 #include "text_shape.h"
 
