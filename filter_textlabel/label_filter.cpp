@@ -66,7 +66,8 @@ void DrawPicture(const CMeshO& m, const LabelJob<CMeshO>& job, const LabelReport
 		for (const int f : *faces) mesh.isLabel[size_t(f)] = 1;
 	PictureOptions options;
 	if (report.request.style == LabelStyle::Flat || report.request.tint) options.label = report.request.color;
-	if (!WritePicture(RenderLabelPicture(mesh, job.frame().w, job.frame().v, options), report.request.picture))
+	const vcg::Point3d direction = report.request.pictureBack ? -job.frame().w : job.frame().w;
+	if (!WritePicture(RenderLabelPicture(mesh, direction, job.frame().v, options), report.request.picture))
 		throw RequestError(RequestProblem::FileNotWritten, "picture", report.request.picture);
 }
 

@@ -56,10 +56,11 @@ struct LabelRequest {
 	double minStroke = 0, minGap = 0;  ///< > 0: refuse letters below it
 	bool tint = false;                 ///< colour the faces of a raised or sunk label too
 	Rgb color{230, 60, 20};
-	double maxStretch = 8;  ///< largest surface length over label length
-	std::string report;     ///< file for the report (JSON); empty: none
-	std::string picture;    ///< file for a picture (PNG); empty: none
-	std::string outline;    ///< file for the flat label (SVG); empty: none
+	double maxStretch = 8;     ///< largest surface length over label length
+	std::string report;        ///< file for the report (JSON); empty: none
+	std::string picture;       ///< file for a picture (PNG); empty: none
+	bool pictureBack = false;  ///< the picture shows the label from behind (open surfaces)
+	std::string outline;       ///< file for the flat label (SVG); empty: none
 };
 
 /// How a host's dialog should offer a parameter, beyond its type.

@@ -126,6 +126,9 @@ const std::vector<Parameter>& ParameterTable()
 	     Use::JsonFile, advanced},
 		{"picture", "Picture file", "Write a picture (PNG) of the labelled part to this file. Empty: none.",
 	     &R::picture, Use::ImageFile, advanced},
+		{"picture_back", "Picture from behind",
+	     "The picture shows the label from behind: on an open surface a sunk label stands out there.", &R::pictureBack,
+	     Use::Value, advanced},
 		{"outline", "Outline file", "Write the flat label (SVG) to this file. Empty: none.", &R::outline,
 	     Use::VectorFile, advanced},
 	};

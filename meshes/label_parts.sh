@@ -15,7 +15,7 @@ same() { [ "$(value "$1" "$2_before")" = "$(value "$1" "$2_after")" ]; }
 
 echo "| part | label | triangles | in the paper | label made in | valid |"
 echo "|---|---|---|---|---|---|"
-while IFS=$'\t' read -r file text style size depth position direction up along color _ _ _ _ figure before after _; do
+while IFS=$'\t' read -r file text style size depth position direction up along color _ _ _ _ figure before after views; do
 	case $file in '' | '#'* | file) continue ;; esac
 	name=${file%.stl} output=$1/${file%.stl}-labelled.stl
 	options=(--style "$style" --size "$size" --at "$position" --direction "$direction" --up "$up" --along "$along")
@@ -23,6 +23,10 @@ while IFS=$'\t' read -r file text style size depth position direction up along c
 	[ "$color" = - ] || { options+=(--color "$color"); output=${output%.stl}.ply; }  # an STL has no colours
 	"$here/../filter_textlabel/label.sh" "${options[@]}" --report "$1/$name.json" --picture "$1/$name.png" -- \
 		"$here/$file" "$output" "$text"
+	if [[ $views == *\;* ]]; then  # an open surface has a back
+		"$here/../filter_textlabel/label.sh" "${options[@]}" --set picture_back=true --picture "$1/$name-back.png" -- \
+			"$here/$file" "$output" "$text"
+	fi
 	report=$1/$name.json valid=no
 	if [ "$(value "$report" non_manifold_edges_after)" = 0 ] && same "$report" border_edges && same "$report" components &&
 		same "$report" genus; then valid=yes; fi
