@@ -26,7 +26,7 @@ using Face = std::array<int, 3>;
 struct CrossingOptions {
 	bool stopAtFirst = false;  ///< return after one pair: enough to refuse
 	/// Called as ignore(first, second, secondIsOther) for a pair that crosses: true leaves it out. May be null.
-	std::function<bool(int, int, bool)> ignore;
+	std::function<bool(int, int, bool)> ignore = nullptr;
 };
 
 /// Two faces that cross.
