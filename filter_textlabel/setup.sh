@@ -18,14 +18,21 @@
 set -euo pipefail
 top=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 cache=${XDG_CACHE_HOME:-~/.cache}/textlabel
-mirror=${TEXTLABEL_DEBIAN_MIRROR:-http://deb.debian.org/debian}
+
+# The mirror that this machine takes Debian's packages from; it has the sources as well.
+debian_mirror() {
+	local uris
+	uris=$(apt-get indextargets --format '$(REPO_URI)' 'Created-By: Packages')
+	grep -m 1 -E '/debian/?$' <<<"$uris" || head -n 1 <<<"$uris"
+}
 
 build_packages=(g++ cmake ninja-build pkg-config xz-utils meshlab qtbase5-dev libqt5opengl5-dev libglew-dev
 	libglu1-mesa-dev libeigen3-dev libfreetype-dev libharfbuzz-dev libfribidi-dev libfontconfig-dev
-	libpolyclipping-dev)
+	libpolyclipping-dev libicu-dev)
 run_packages=(xvfb xauth)
 test_packages=(libgtest-dev libbenchmark-dev clang-format libcgal-dev admesh xdotool imagemagick libharfbuzz-bin
-	fonts-dejavu-core git python3-venv ca-certificates)
+	git python3-venv ca-certificates fonts-dejavu fonts-liberation fonts-inter-variable fonts-hosny-amiri fonts-noto-core
+	fonts-noto-cjk fonts-roboto-unhinted fonts-osifont fonts-routed-gothic fonts-dseg fonts-noto-color-emoji)
 fuzz_packages=(clang libclang-rt-14-dev)
 
 say() { printf 'textlabel: %s\n' "$*" >&2; }
@@ -112,6 +119,7 @@ private_apt() {
 download_meshlab() {
 	local folder=$1 suite=$2 version=$3 hash=$4 archive
 	mkdir -p "$folder/lists/partial" "$folder/cache/archives/partial"
+	mirror=${TEXTLABEL_DEBIAN_MIRROR:-$(debian_mirror)}
 	printf 'deb-src %s %s main\n' "$mirror" "$suite" >"$folder/sources.list"
 	quietly private_apt "$folder" update || return 1
 	cd "$folder"
@@ -134,7 +142,7 @@ fetch_meshlab() {
 		say "fetching the headers of MeshLab $version"
 		work=$(mktemp -d "$cache/$name.XXXXXX")
 		trap 'rm -rf "$work"' EXIT
-		download_meshlab "$work" "$suite" "$version" "$hash" || die "could not fetch meshlab $version from $mirror $suite"
+		download_meshlab "$work" "$suite" "$version" "$hash" || die "could not fetch meshlab $version from $suite"
 		mkdir "$work/tree"
 		tar -xf "$work/meshlab.tar.xz" -C "$work/tree" --strip-components=1 --wildcards \
 			'*/ML_VERSION' '*/LICENSE.txt' '*/src/common' '*/vcglib/vcg' '*/vcglib/wrap'
