@@ -62,8 +62,7 @@ struct DepthBuffer {
 	DepthBuffer(int w, int h)
 		: width(w), height(h), depth(size_t(w) * size_t(h), -std::numeric_limits<float>::infinity()),
 		  face(size_t(w) * size_t(h), -1)
-	{
-	}
+	{}
 	size_t index(int x, int y) const { return size_t(y) * size_t(width) + size_t(x); }
 };
 
