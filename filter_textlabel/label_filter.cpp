@@ -125,7 +125,9 @@ std::string Guarded(const Work& work)
 void Say(std::string message, const std::function<void(const std::string&)>& log)
 {
 	std::replace(message.begin(), message.end(), '\n', ' ');
+#if MESHLAB_API == 2020  // meshlabserver shows no log of a filter that refuses; later hosts pass the exception on
 	std::cerr << "Text Label: " << message << std::endl;
+#endif
 	log("Text Label: " + message);
 }
 
