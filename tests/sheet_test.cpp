@@ -130,11 +130,11 @@ TEST(Sheet, LeavesOutWhatHasNoPlace)
 	s.points[0][2] = std::nan("");
 	const Sheet sheet = CandidatesOf(s, LabelSpace(LabelFrame()), 5, 5);
 	EXPECT_EQ(sheet.triangles.size(), 2u);  // both triangles of the first square have vertex 0
-	EXPECT_FALSE(sheet.reachesBehindCamera);
+	EXPECT_TRUE(sheet.straddling.empty());
 	s.points[0][2] = 50;
 	const Sheet behind = CandidatesOf(s, LabelSpace(FromAbovePerspective(20)), 5, 5);
 	EXPECT_EQ(behind.triangles.size(), 2u);
-	EXPECT_TRUE(behind.reachesBehindCamera);
+	EXPECT_FALSE(behind.straddling.empty());
 }
 
 // The weights that mix the corners into a point must give back that point, from the definition.
