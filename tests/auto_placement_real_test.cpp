@@ -1,6 +1,7 @@
 // Automatic placement on real parts: rays are cast at every triangle, all over the text's box.
 
 #include "filter_textlabel/auto_placement.h"
+#include "oracle_mesh_file.h"
 #include "placement_parts.h"
 
 #include <algorithm>
@@ -8,18 +9,9 @@
 #include <filesystem>
 #include <gtest/gtest.h>
 #include <limits>
-#include <vcg/complex/complex.h>
-#include <wrap/io_trimesh/import_stl.h>
 
 namespace textlabel::test {
 namespace {
-
-class Vertex;
-class Face;
-struct Types : vcg::UsedTypes<vcg::Use<Vertex>::AsVertexType, vcg::Use<Face>::AsFaceType> {};
-class Vertex : public vcg::Vertex<Types, vcg::vertex::Coord3f, vcg::vertex::BitFlags> {};
-class Face : public vcg::Face<Types, vcg::face::VertexRef, vcg::face::Normal3f, vcg::face::BitFlags> {};
-class Mesh : public vcg::tri::TriMesh<std::vector<Vertex>, std::vector<Face>> {};
 
 std::filesystem::path Folder()
 {
@@ -29,15 +21,10 @@ std::filesystem::path Folder()
 
 Triangles Load(const std::filesystem::path& file)
 {
-	Mesh mesh;
-	int mask = 0;
-	vcg::tri::io::ImporterSTL<Mesh>::Open(mesh, file.c_str(), mask);
+	const oracle::MeshFile mesh = oracle::ReadMeshFile(file.string());
 	Triangles part;
-	for (const Vertex& v : mesh.vert) part.positions.push_back(Point3d::Construct(v.cP()));
-	for (const Face& f : mesh.face) {
-		const auto index = [&](int k) { return int(f.cV(k) - mesh.vert.data()); };
-		part.triangles.push_back({index(0), index(1), index(2)});
-	}
+	for (const auto& p : mesh.points) part.positions.emplace_back(p[0], p[1], p[2]);
+	part.triangles = mesh.faces;
 	return part;
 }
 
