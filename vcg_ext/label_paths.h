@@ -91,8 +91,9 @@ inline void LabelPaths::lay(const Outline& outline, const std::vector<int>& seed
 		collectChains(path, pathPoints);
 	}
 	sortEdgePoints();
-	std::stable_sort(chains.begin(), chains.end(),
-	                 [](const ContourChain& a, const ContourChain& b) { return a.triangle < b.triangle; });
+	std::sort(chains.begin(), chains.end(), [](const ContourChain& a, const ContourChain& b) {
+		return a.triangle != b.triangle ? a.triangle < b.triangle : a.first < b.first;
+	});
 }
 
 inline std::vector<int> LabelPaths::visited() const
