@@ -62,7 +62,10 @@ inline Tessellator::Tessellator() : glu_(gluNewTess(), gluDeleteTess)
 	if (!glu_) throw std::bad_alloc();
 	using Callback = void (*)();
 	const auto vertex = +[](void* id, void* self) {
-		static_cast<Tessellator*>(self)->corners_.push_back(int(reinterpret_cast<std::intptr_t>(id)));
+		// nothing may be thrown through GLU's C code, so the room is made before, and more than that is no triangulation
+		Tessellator& t = *static_cast<Tessellator*>(self);
+		if (t.corners_.size() < t.corners_.capacity()) t.corners_.push_back(int(reinterpret_cast<std::intptr_t>(id)));
+		else t.crossed_ = true;
 	};
 	const auto combine = +[](GLdouble*, void** data, GLfloat*, void** out, void* self) {
 		// a ring that touches its region's border, or itself, in a corner comes here with the same point twice: no crossing
@@ -84,8 +87,9 @@ inline void Tessellator::runGlu(const std::vector<vcg::Point2d>& plane, const Po
 	crossed_ = false;
 	corners_.clear();
 	coordinates_.clear();
-	coordinates_.reserve(
-		size_t(rings.end(first + count - 1) - rings.begin(first)));  // GLU keeps no copy before the end
+	const size_t points = size_t(rings.end(first + count - 1) - rings.begin(first));
+	corners_.reserve(3 * (points + 2 * size_t(count)));
+	coordinates_.reserve(points);  // GLU keeps no copy before the end
 	gluTessBeginPolygon(glu_.get(), this);
 	for (int r = first; r < first + count; ++r) {
 		gluTessBeginContour(glu_.get());
