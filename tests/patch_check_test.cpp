@@ -17,7 +17,8 @@ double AsFloat(double x) { return static_cast<float>(x); }
 PatchVerdict Check(const CutExample& e, double height, ExtrudeAlong along = ExtrudeAlong::Viewpoint,
                    double (*round)(double) = AsFloat)
 {
-	return CheckPatch(e.space, e.sheet, RaiseLabel(e.space, e.sheet, e.cut, height, along), round);
+	const LabelPatch patch = RaiseLabel(e.space, e.sheet, e.cut, height, along);
+	return CheckPatch(e.space, e.sheet, patch, RoundedPositions(e.sheet, patch, round));
 }
 
 Shape Slab() { return test_mesh::Slab(30, 20, 4, 15, 10); }
@@ -48,9 +49,9 @@ TEST(PatchCheck, FindsFacesThatRoundingTurnsRound)
 	for (double step = 0.05; step < 0.4; step *= 1.1) {
 		const auto round = [step](double x) { return std::round(x / step) * step; };
 		const LabelPatch patch = RaiseLabel(e.space, e.sheet, e.cut, 0, ExtrudeAlong::Viewpoint);
-		const PatchFault fault = CheckPatch(e.space, e.sheet, patch, round).fault;
+		const PatchFault fault = CheckPatch(e.space, e.sheet, patch, RoundedPositions(e.sheet, patch, round)).fault;
 		// the same, seen from above: does any face of the rounded patch have no positive area?
-		const auto position = detail::RoundedPositions(e.sheet, patch, round);
+		const auto position = RoundedPositions(e.sheet, patch, round);
 		bool turned = false;
 		for (const PatchFace& f : patch.faces) {
 			const Corners c = detail::CornersOf(position, f.vertex);

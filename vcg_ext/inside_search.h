@@ -23,8 +23,9 @@ public:
 	/// @param[in] pieces  of the contours
 	/// @param[in] touched  sheet triangles that are cut up, ascending
 	/// @param[in] borderPieces  of their regions
+	/// @param[in] pointCount  cut points are numbered below it; one piece of a contour starts at a point, at most
 	InsideSearch(const Sheet& sheet, const std::vector<ContourPiece>& pieces, const std::vector<int>& touched,
-	             std::vector<BorderPiece> borderPieces);
+	             const std::vector<BorderPiece>& borderPieces, size_t pointCount);
 
 	/// @param[in] side  #R sides of the regions as the walk knows them
 	/// @return #R sides of the regions, then one for each sheet triangle that is not touched; Unknown is outside
@@ -43,9 +44,10 @@ private:
 
 	const Sheet& sheet_;
 	const std::vector<ContourPiece>& pieces_;
-	const std::vector<int>& touched_;
-	std::vector<BorderPiece> borderPieces_;        ///< sorted by (from, to)
-	std::vector<std::pair<int, int>> contour_;     ///< contour pieces, sorted, for look-up
+	std::vector<char> isTouched_;                  ///< #T
+	std::vector<BorderPiece> borderPieces_;        ///< in groups of equal `from`
+	std::vector<int> fromStart_;                   ///< CSR: where each point's group begins
+	std::vector<int> contourTo_;                   ///< #points: where the contour goes on from there, or -1
 	std::vector<int> regionStart_, regionPieces_;  ///< border pieces of each region, CSR
 	std::vector<Side> side_;
 	int regionCount_ = 0;  ///< regions of touched triangles; region regionCount_ + t is the untouched sheet triangle t
@@ -55,14 +57,17 @@ private:
 // ---------------------------------------------------------------------------------------------------------------------------
 
 inline InsideSearch::InsideSearch(const Sheet& sheet, const std::vector<ContourPiece>& pieces,
-                                  const std::vector<int>& touched, std::vector<BorderPiece> borderPieces)
-	: sheet_(sheet), pieces_(pieces), touched_(touched), borderPieces_(std::move(borderPieces))
+                                  const std::vector<int>& touched, const std::vector<BorderPiece>& borderPieces,
+                                  size_t pointCount)
+	: sheet_(sheet), pieces_(pieces), isTouched_(sheet.triangles.size(), 0), borderPieces_(borderPieces.size()),
+	  fromStart_(pointCount + 1, 0), contourTo_(pointCount, -1)
 {
-	for (const ContourPiece& piece : pieces_) contour_.emplace_back(piece.from, piece.to);
-	std::sort(contour_.begin(), contour_.end());
-	std::sort(borderPieces_.begin(), borderPieces_.end(), [](const BorderPiece& a, const BorderPiece& b) {
-		return std::make_pair(a.from, a.to) < std::make_pair(b.from, b.to);
-	});
+	for (const int t : touched) isTouched_[size_t(t)] = 1;
+	for (const ContourPiece& piece : pieces_) contourTo_[size_t(piece.from)] = piece.to;
+	for (const BorderPiece& p : borderPieces) ++fromStart_[size_t(p.from) + 1];
+	for (size_t i = 1; i < fromStart_.size(); ++i) fromStart_[i] += fromStart_[i - 1];
+	std::vector<int> next(fromStart_.begin(), fromStart_.end() - 1);
+	for (const BorderPiece& p : borderPieces) borderPieces_[size_t(next[size_t(p.from)]++)] = p;
 }
 
 inline std::vector<Side> InsideSearch::run(std::vector<Side> side)
@@ -147,23 +152,15 @@ inline void InsideSearch::throwOffSheet(int halfEdge) const
 		.atPlace((a + b) / 2);
 }
 
-inline bool InsideSearch::isContour(int from, int to) const
-{
-	return std::binary_search(contour_.begin(), contour_.end(), std::make_pair(from, to));
-}
+inline bool InsideSearch::isContour(int from, int to) const { return contourTo_[size_t(from)] == to; }
 
 /// The region of `triangle` along its border piece from-to.
 inline int InsideSearch::regionBeside(int from, int to, int triangle) const
 {
-	if (!std::binary_search(touched_.begin(), touched_.end(), triangle)) return regionCount_ + triangle;
-	const auto less = [](const BorderPiece& p, const std::pair<int, int>& key) {
-		return std::make_pair(p.from, p.to) < key;
-	};
-	const auto found = std::lower_bound(borderPieces_.begin(), borderPieces_.end(), std::make_pair(from, to), less);
-	if (found == borderPieces_.end() || found->from != from || found->to != to)
-		throw PlacementConflict{"neighbours cut their common edge differently",
-		                        sheet_.plane(sheet_.from(3 * triangle))};
-	return found->region;
+	if (!isTouched_[size_t(triangle)]) return regionCount_ + triangle;
+	for (int i = fromStart_[size_t(from)]; i < fromStart_[size_t(from) + 1]; ++i)
+		if (borderPieces_[size_t(i)].to == to) return borderPieces_[size_t(i)].region;
+	throw PlacementConflict{"neighbours cut their common edge differently", sheet_.plane(sheet_.from(3 * triangle))};
 }
 
 }  // namespace vcg::textlabel

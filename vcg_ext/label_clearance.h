@@ -6,6 +6,8 @@
 // linear over it, so its corners tell the least distance exactly. No sampling.
 
 #include "label_cut.h"
+#include "plane_grid.h"
+#include "sheet_layer.h"
 
 namespace vcg::textlabel {
 
@@ -19,12 +21,38 @@ struct Clearance {
 
 /// Measure the room behind the letters and check that nothing hides them.
 /// @param[in] resolution  world units; overlaps thinner than this are neighbours that touch
+/// @param[in] layer  of the label: its members need no look, since within its box they can't overlap the letters
 /// @throws Error{Occluded} naming the face in front, and the place
-Clearance MeasureClearance(const LabelSpace& space, const Sheet& sheet, const CutLabel& cut, double resolution);
+Clearance MeasureClearance(const LabelSpace& space, const Sheet& sheet, const CutLabel& cut, double resolution,
+                           const SheetLayer& layer = {});
 
 // ---------------------------------------------------------------------------------------------------------------------------
 
 namespace detail {
+
+/// The corners of a candidate in the label plane, counter-clockwise also when it shows its back.
+inline std::array<vcg::Point2d, 3> CornersInPlane(const Sheet& sheet, int triangle)
+{
+	const SheetTriangle& t = sheet.triangles[size_t(triangle)];
+	const vcg::Point2d &a = sheet.plane(t.vertex[0]), &b = sheet.plane(t.vertex[1]), &c = sheet.plane(t.vertex[2]);
+	if (t.facing) return {a, b, c};
+	return {a, c, b};
+}
+
+inline PlaneBox BoxOfTriangle(const std::array<vcg::Point2d, 3>& corner)
+{
+	PlaneBox box;
+	for (const vcg::Point2d& p : corner) box.add(p);
+	return box;
+}
+
+/// Label space: the largest z of a candidate, which no point of it exceeds.
+inline double NearestZ(const Sheet& sheet, int triangle)
+{
+	const auto& v = sheet.triangles[size_t(triangle)].vertex;
+	const auto z = [&](size_t k) { return sheet.vertices[size_t(v[k])].label[2]; };
+	return std::max({z(0), z(1), z(2)});
+}
 
 /// A convex polygon of at most 3+3 corners: two triangles' overlap.
 struct SmallPolygon {
@@ -69,79 +97,37 @@ inline bool AreApart(const std::array<vcg::Point2d, 3>& s, const std::array<vcg:
 	return false;
 }
 
-/// Buckets of triangles over the label plane, to find those whose boxes meet a box.
-class TriangleGrid {
-public:
-	TriangleGrid(const CutLabel& cut, const std::vector<IndexTriangle>& triangles)
-	{
-		for (const IndexTriangle& t : triangles)
-			for (const int v : t) box_.add(cut.points[size_t(v)].plane);
-		constexpr int mostCells = 256;
-		side_ = std::clamp(int(std::sqrt(double(triangles.size()))), 1, mostCells);
-		start_.assign(size_t(side_) * size_t(side_) + 1, 0);
-		const auto eachCell = [&](auto&& use) {
-			for (int t = 0; t < int(triangles.size()); ++t) {
-				PlaneBox box;
-				for (const int v : triangles[size_t(t)]) box.add(cut.points[size_t(v)].plane);
-				visitCells(box, [&](int cell) { use(t, cell); });
-			}
-		};
-		eachCell([&](int, int cell) { ++start_[size_t(cell) + 1]; });
-		for (size_t i = 1; i < start_.size(); ++i) start_[i] += start_[i - 1];
-		member_.resize(size_t(start_.back()));
-		std::vector<int> next(start_.begin(), start_.end() - 1);
-		eachCell([&](int t, int cell) { member_[size_t(next[size_t(cell)]++)] = t; });
-		seen_.assign(triangles.size(), -1);
-	}
-	/// Call use(t) once for each triangle that may meet the box; `round` must differ from call to call.
-	template <class Use>
-	void query(const PlaneBox& box, int round, Use&& use)
-	{
-		if (box.high[0] < box_.low[0] || box.low[0] > box_.high[0] || box.high[1] < box_.low[1] ||
-		    box.low[1] > box_.high[1])
-			return;
-		visitCells(box, [&](int cell) {
-			for (int i = start_[size_t(cell)]; i < start_[size_t(cell) + 1]; ++i)
-				if (std::exchange(seen_[size_t(member_[size_t(i)])], round) != round) use(member_[size_t(i)]);
-		});
-	}
+/// The letters' surface as triangles of the label plane.
+struct LetterSurface {
+	std::vector<std::array<vcg::Point2d, 3>> plane;
+	std::vector<int> parent;       ///< sheet triangle that each is a piece of
+	std::vector<double> farthest;  ///< label space: least z of each
+	std::vector<PlaneBox> box;
 
-private:
-	int cellOf(double x, int axis) const
+	LetterSurface(const Sheet& sheet, const CutLabel& cut)
 	{
-		const double size = axis == 0 ? box_.width() : box_.height();
-		return size > 0 ? std::clamp(int((x - box_.low[axis]) / size * side_), 0, side_ - 1) : 0;
+		for (const CutTriangle& t : cut.triangles)
+			if (t.side == Side::Inside) add(cut, t.point, t.parent);
+		for (const int t : cut.within) add(cut, sheet.triangles[size_t(t)].vertex, t);
 	}
-	template <class Use>
-	void visitCells(const PlaneBox& box, Use&& use) const
+	void add(const CutLabel& cut, const IndexTriangle& t, int from)
 	{
-		const auto clamped = [&](double x, int axis) {
-			return cellOf(std::clamp(x, box_.low[axis], box_.high[axis]), axis);
-		};
-		for (int y = clamped(box.low[1], 1); y <= clamped(box.high[1], 1); ++y)
-			for (int x = clamped(box.low[0], 0); x <= clamped(box.high[0], 0); ++x) use(y * side_ + x);
+		const CutPoint &a = cut.points[size_t(t[0])], &b = cut.points[size_t(t[1])], &c = cut.points[size_t(t[2])];
+		plane.push_back({a.plane, b.plane, c.plane});
+		parent.push_back(from);
+		farthest.push_back(std::min({a.label[2], b.label[2], c.label[2]}));
+		box.push_back(BoxOfTriangle(plane.back()));
 	}
-
-	PlaneBox box_;
-	int side_ = 1;
-	std::vector<int> start_, member_, seen_;
 };
 
 }  // namespace detail
 
-inline Clearance MeasureClearance(const LabelSpace& space, const Sheet& sheet, const CutLabel& cut, double resolution)
+inline Clearance MeasureClearance(const LabelSpace& space, const Sheet& sheet, const CutLabel& cut, double resolution,
+                                  const SheetLayer& layer)
 {
-	std::vector<IndexTriangle> inside;
-	std::vector<int> parent;
-	for (const CutTriangle& t : cut.triangles)
-		if (t.side == Side::Inside) {
-			inside.push_back(t.point);
-			parent.push_back(t.parent);
-		}
-	for (const int t : cut.within) {
-		inside.push_back(sheet.triangles[size_t(t)].vertex);
-		parent.push_back(t);
-	}
+	const detail::LetterSurface letters(sheet, cut);
+	const double farthest = *std::min_element(letters.farthest.begin(), letters.farthest.end());
+	PlaneGrid grid(letters.box);
 	const auto pointOn = [&](int triangle, const vcg::Point2d& p) {
 		const vcg::Point3d w = SpaceWeights(space, sheet, triangle, p);
 		vcg::Point3d q(0, 0, 0);
@@ -149,18 +135,16 @@ inline Clearance MeasureClearance(const LabelSpace& space, const Sheet& sheet, c
 			q += sheet.vertices[size_t(sheet.triangles[size_t(triangle)].vertex[size_t(k)])].label * w[k];
 		return q;
 	};
-	detail::TriangleGrid grid(cut, inside);
 	Clearance clearance;
 	for (int t = 0; t < int(sheet.triangles.size()); ++t) {
-		PlaneBox box;
-		const auto& vertex = sheet.triangles[size_t(t)].vertex;
-		std::array<vcg::Point2d, 3> corner = {sheet.plane(vertex[0]), sheet.plane(vertex[1]), sheet.plane(vertex[2])};
-		for (const vcg::Point2d& p : corner) box.add(p);
-		if (!sheet.triangles[size_t(t)].facing) std::swap(corner[1], corner[2]);
-		grid.query(box, t, [&](int s) {
-			if (parent[size_t(s)] == t) return;
-			std::array<vcg::Point2d, 3> letter;
-			for (size_t k = 0; k < 3; ++k) letter[k] = cut.points[size_t(inside[size_t(s)][k])].plane;
+		if (layer.has(t)) continue;
+		// what lies deeper than the best found so far, measured along w, lies deeper along the rays as well
+		const double nearest = detail::NearestZ(sheet, t);
+		if (farthest - nearest >= clearance.behind) continue;
+		const std::array<vcg::Point2d, 3> corner = detail::CornersInPlane(sheet, t);
+		grid.query(detail::BoxOfTriangle(corner), [&](int s) {
+			if (letters.parent[size_t(s)] == t || letters.farthest[size_t(s)] - nearest >= clearance.behind) return;
+			const auto& letter = letters.plane[size_t(s)];
 			if (detail::AreApart(letter, corner, resolution) || detail::AreApart(corner, letter, resolution)) return;
 			detail::SmallPolygon overlap;
 			for (const vcg::Point2d& p : corner) overlap.add(p);
@@ -170,7 +154,7 @@ inline Clearance MeasureClearance(const LabelSpace& space, const Sheet& sheet, c
 			double least = std::numeric_limits<double>::infinity(), most = -least;
 			vcg::Point3d place(0, 0, 0);
 			for (int i = 0; i < overlap.size; ++i) {
-				const vcg::Point3d q = pointOn(parent[size_t(s)], overlap.point[size_t(i)]);
+				const vcg::Point3d q = pointOn(letters.parent[size_t(s)], overlap.point[size_t(i)]);
 				const double depth = (q - pointOn(t, overlap.point[size_t(i)])) * space.towardsViewer(q);  // > 0 behind
 				most = std::max(most, depth);
 				if (depth >= least) continue;

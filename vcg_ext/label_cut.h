@@ -79,9 +79,9 @@ inline CutLabel LabelCutter::cut(const Outline& outline, const std::vector<int>&
 	paths_.lay(outline, seeds);
 	collectTouched();
 	cutTriangles();
-	takeSides(InsideSearch(sheet_, paths_.pieces, out_.touched, std::move(borderPieces_)).run(regionSide_));
-	out_.points = paths_.points;
-	out_.pieces = paths_.pieces;
+	takeSides(InsideSearch(sheet_, paths_.pieces, out_.touched, borderPieces_, paths_.points.size()).run(regionSide_));
+	out_.points = std::move(paths_.points);
+	out_.pieces = std::move(paths_.pieces);
 	requireArea(outline);
 	return std::move(out_);
 }

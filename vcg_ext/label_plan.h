@@ -69,13 +69,13 @@ private:
 
 	Outline prepared(const Outline& outline, const vcg::Point2d& shift) const;
 	std::vector<vcg::Point2d> thinned(const std::vector<vcg::Point2d>& points) const;
-	void requireSheetSurvives() const;
+	void requireSheetSurvives();
 	bool attempt(const Outline& outline, bool last, LabelPlan& plan, PlacementConflict& conflict);
 	void finish(LabelPlan& plan, bool last) const;
 	void measureSurface(LabelPlan& plan) const;
 	void checkRoom(LabelPlan& plan) const;
 	[[noreturn]] void refuseHeight(const LabelPlan& plan, const PatchVerdict& verdict) const;
-	PatchVerdict check(const LabelPatch& patch) const;
+	PatchVerdict check(const LabelPatch& patch, double height) const;
 	std::vector<int> trianglesAround(int face) const;
 	void report(int percent) const;
 
@@ -84,6 +84,8 @@ private:
 	Precision precision_;
 	const LabelOptions& options_;
 	double meshUlp_, ulp_, snap_;
+	bool isRepresentable_ = true;  ///< rounding changes no vertex of the part
+	SheetLayer layer_;             ///< of the attempt at hand
 };
 
 // ---------------------------------------------------------------------------------------------------------------------------
@@ -147,7 +149,7 @@ inline std::vector<vcg::Point2d> LabelPlanner::thinned(const std::vector<vcg::Po
 }
 
 /// A double mesh may be finer than float32: then no label on it survives float32.
-inline void LabelPlanner::requireSheetSurvives() const
+inline void LabelPlanner::requireSheetSurvives()
 {
 	std::vector<std::pair<vcg::Point3d, int>> rounded;
 	bool changes = false;
@@ -157,6 +159,7 @@ inline void LabelPlanner::requireSheetSurvives() const
 		changes = changes || p != v.mesh;
 		rounded.emplace_back(p, int(rounded.size()));
 	}
+	isRepresentable_ = !changes;
 	if (!changes) return;
 	std::sort(rounded.begin(), rounded.end());
 	for (size_t i = 1; i < rounded.size(); ++i) {
@@ -195,6 +198,7 @@ inline bool LabelPlanner::attempt(const Outline& outline, bool last, LabelPlan& 
 		LabelCutter cutter(space_, sheet_, snap_);
 		try {
 			plan.cut = cutter.cut(outline, seeds);
+			layer_ = FindLayer(sheet_, seeds);
 			finish(plan, last);
 			return true;
 		} catch (const PlacementConflict& c) {
@@ -232,11 +236,11 @@ inline void LabelPlanner::finish(LabelPlan& plan, bool last) const
 	checkRoom(plan);
 	report(60);
 	plan.patch = RaiseLabel(space_, sheet_, plan.cut, options_.height, options_.along);
-	PatchVerdict verdict = check(plan.patch);
+	PatchVerdict verdict = check(plan.patch, options_.height);
 	if (verdict.fault != PatchFault::Sound) {
 		CollapseShortEdges(sheet_, plan.cut, shortestUlps * meshUlp_);
 		plan.patch = RaiseLabel(space_, sheet_, plan.cut, options_.height, options_.along);
-		verdict = check(plan.patch);
+		verdict = check(plan.patch, options_.height);
 	}
 	// each removed face leaves a slot to be filled
 	const bool fits = plan.patch.faces.size() >= plan.patch.removed.size();
@@ -284,7 +288,7 @@ inline void LabelPlanner::measureSurface(LabelPlan& plan) const
 inline void LabelPlanner::checkRoom(LabelPlan& plan) const
 {
 	constexpr double margin = 2;  // of snap: what must stay of a wall
-	const Clearance clearance = MeasureClearance(space_, sheet_, plan.cut, snap_);
+	const Clearance clearance = MeasureClearance(space_, sheet_, plan.cut, snap_, layer_);
 	plan.room = clearance.behind;
 	const double left = clearance.behind + options_.height;
 	if (options_.along == ExtrudeAlong::Viewpoint && options_.height < 0 && left < margin * snap_)
@@ -294,9 +298,15 @@ inline void LabelPlanner::checkRoom(LabelPlan& plan) const
 			.measured(-options_.height, clearance.behind);
 }
 
-inline PatchVerdict LabelPlanner::check(const LabelPatch& patch) const
+inline PatchVerdict LabelPlanner::check(const LabelPatch& patch, double height) const
 {
-	return CheckPatch(space_, sheet_, patch, [this](double x) { return precision_.round(x); });
+	const std::vector<vcg::Point3d> position =
+		RoundedPositions(sheet_, patch, [this](double x) { return precision_.round(x); });
+	const bool isStraight = patch.isFlat || options_.along == ExtrudeAlong::Viewpoint ||
+	                        (options_.along == ExtrudeAlong::LabelNormal && !space_.perspective());
+	Suspects suspects;
+	if (isStraight && isRepresentable_) suspects = FindSuspects(space_, sheet_, layer_, patch, position, height, snap_);
+	return CheckPatch(space_, sheet_, patch, position, suspects);
 }
 
 /// Find the largest height that works, for the message.
@@ -307,7 +317,7 @@ inline void LabelPlanner::refuseHeight(const LabelPlan& plan, const PatchVerdict
 		report(60 + 3 * i);
 		const double middle = (works + fails) / 2;
 		const LabelPatch lower = RaiseLabel(space_, sheet_, plan.cut, options_.height * middle, options_.along);
-		(check(lower).fault == PatchFault::Sound ? works : fails) = middle;
+		(check(lower, options_.height * middle).fault == PatchFault::Sound ? works : fails) = middle;
 	}
 	if (works == 0)
 		throw PlacementConflict{"rounded coordinates spoil the label", space_.project(space_.toLabel(verdict.place))};

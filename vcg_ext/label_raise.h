@@ -22,6 +22,7 @@ struct PatchVertex {
 	vcg::Point3d mesh;          ///< mesh coordinates, not yet rounded
 	std::array<int, 3> parent;  ///< sheet vertices whose attributes it mixes
 	std::array<double, 3> weight;
+	int ground = -1;  ///< the vertex over which it is raised, numbered as in PatchFace; -1 when it lies in the surface
 };
 
 /// A face that the label makes or changes.
@@ -91,10 +92,12 @@ inline void RequireOwnVertices(const Sheet& sheet, const LabelPatch& patch)
 	for (const PatchFace& f : patch.faces)
 		for (const int v : f.vertex)
 			if (f.kind == FaceKind::Outside && v < int(shared.size())) shared[size_t(v)] = 1;
+	std::vector<char> isRemoved(sheet.triangles.size(), 0);
+	for (const int t : patch.removed) isRemoved[size_t(t)] = 1;
 	for (const auto& [v, to] : patch.moved) {
 		bool own = !shared[size_t(v)];
 		for (int i = sheet.vertexStart[size_t(v)]; i < sheet.vertexStart[size_t(v) + 1]; ++i)
-			own = own && std::binary_search(patch.removed.begin(), patch.removed.end(), sheet.vertexFan[size_t(i)]);
+			own = own && isRemoved[size_t(sheet.vertexFan[size_t(i)])];
 		if (!own)
 			throw Error(ErrorCode::NonManifold, "two sheets touch in a vertex").atPlace(sheet.vertices[size_t(v)].mesh);
 	}
@@ -108,7 +111,7 @@ inline LabelPatch RaiseLabel(const LabelSpace& space, const Sheet& sheet, const 
 	LabelPatch patch;
 	const int old = int(sheet.vertices.size());
 	for (size_t i = size_t(old); i < cut.points.size(); ++i)
-		patch.vertices.push_back({cut.points[i].mesh, cut.points[i].parent, cut.points[i].weight});
+		patch.vertices.push_back({cut.points[i].mesh, cut.points[i].parent, cut.points[i].weight, -1});
 	patch.removed = cut.touched;
 	std::vector<int> top(cut.points.size());
 	for (size_t i = 0; i < top.size(); ++i) top[i] = int(i);
@@ -131,7 +134,7 @@ inline LabelPatch RaiseLabel(const LabelSpace& space, const Sheet& sheet, const 
 		for (const ContourPiece& piece : cut.pieces) {  // each contour point is the start of one piece
 			const CutPoint& p = cut.points[size_t(piece.from)];
 			top[size_t(piece.from)] = old + int(patch.vertices.size());
-			patch.vertices.push_back({raised(piece.from), p.parent, p.weight});
+			patch.vertices.push_back({raised(piece.from), p.parent, p.weight, piece.from});
 		}
 		std::vector<char> seen(size_t(old), 0);
 		for (const IndexTriangle& t : inside)
@@ -144,19 +147,26 @@ inline LabelPatch RaiseLabel(const LabelSpace& space, const Sheet& sheet, const 
 	const auto topOf = [&](const IndexTriangle& t) {
 		return IndexTriangle{top[size_t(t[0])], top[size_t(t[1])], top[size_t(t[2])]};
 	};
-	std::vector<std::array<int, 3>> besidePiece;  // from, to, parent: which inside triangle borders a contour piece
+	std::vector<int> pieceFrom(height == 0 ? 0 : cut.points.size(), -1), parentBeside(cut.pieces.size(), -1);
+	for (size_t i = 0; i < cut.pieces.size() && height != 0; ++i) pieceFrom[size_t(cut.pieces[i].from)] = int(i);
+	const auto findPieces = [&](const IndexTriangle& t, int parent) {  // which inside triangle borders a contour piece
+		for (size_t k = 0; k < 3 && height != 0; ++k) {
+			const int piece = pieceFrom[size_t(t[k])];
+			if (piece >= 0 && cut.pieces[size_t(piece)].to == t[(k + 1) % 3]) parentBeside[size_t(piece)] = parent;
+		}
+	};
 	for (const CutTriangle& t : cut.triangles) {
 		if (t.side == Side::Outside) {
 			patch.faces.push_back({t.point, t.parent, FaceKind::Outside});
 			continue;
 		}
 		patch.faces.push_back({topOf(t.point), t.parent, FaceKind::Top});
-		for (size_t k = 0; k < 3; ++k) besidePiece.push_back({t.point[k], t.point[(k + 1) % 3], t.parent});
+		findPieces(t.point, t.parent);
 	}
 	for (const int t : cut.within) {
 		const auto& v = sheet.triangles[size_t(t)].vertex;
 		patch.faces.push_back({topOf(v), t, FaceKind::Top});
-		for (size_t k = 0; k < 3; ++k) besidePiece.push_back({v[k], v[(k + 1) % 3], t});
+		findPieces(v, t);
 	}
 	patch.removed.insert(patch.removed.end(), cut.within.begin(), cut.within.end());
 	std::sort(patch.removed.begin(), patch.removed.end());
@@ -167,11 +177,11 @@ inline LabelPatch RaiseLabel(const LabelSpace& space, const Sheet& sheet, const 
 		}
 	if (height == 0) return patch;
 	detail::RequireOwnVertices(sheet, patch);
-	std::sort(besidePiece.begin(), besidePiece.end());
-	for (const ContourPiece& piece : cut.pieces) {
-		const auto beside =
-			std::lower_bound(besidePiece.begin(), besidePiece.end(), std::array<int, 3>{piece.from, piece.to, -1});
-		const int parent = (*beside)[2], a = piece.from, b = piece.to, ta = top[size_t(a)], tb = top[size_t(b)];
+	for (size_t i = 0; i < cut.pieces.size(); ++i) {
+		if (parentBeside[i] < 0)
+			throw PlacementConflict{"a contour piece borders no letter", cut.points[size_t(cut.pieces[i].from)].plane};
+		const int parent = parentBeside[i], a = cut.pieces[i].from, b = cut.pieces[i].to;
+		const int ta = top[size_t(a)], tb = top[size_t(b)];
 		patch.faces.push_back({{a, b, tb}, parent, FaceKind::Wall});
 		patch.faces.push_back({{a, tb, ta}, parent, FaceKind::Wall});
 	}

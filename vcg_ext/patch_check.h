@@ -6,11 +6,12 @@
 //  - no two vertices fall together and no face becomes a line;
 //  - every piece of a cut triangle still faces its viewer: seen from there the patch is a triangulation with an unchanged border
 //    and only counter-clockwise triangles, which can't overlap itself;
-//  - no new face meets another face, new or old, in more than what they share: exact, among the candidates.
+//  - no new face meets another face, new or old, in more than what they share: exact, among the candidates, for all faces that
+//    could at all (patch_suspects.h).
 // What the input had wrong before (a part that crosses itself elsewhere under the label) is not held against the patch.
 
 #include "crossing_search.h"
-#include "label_raise.h"
+#include "patch_suspects.h"
 
 namespace vcg::textlabel {
 
@@ -30,16 +31,19 @@ struct PatchVerdict {
 	int face = -1;                ///< face of the mesh that is met (CrossesPart)
 };
 
-/// Check a patch on rounded coordinates.
+/// Rounded positions of all vertices of a patch: those of the sheet (moved), then the new ones.
 /// @param[in] round  mesh coordinate to the coordinate as it will be read back
 template <class Round>
-PatchVerdict CheckPatch(const LabelSpace& space, const Sheet& sheet, const LabelPatch& patch, Round&& round);
+std::vector<vcg::Point3d> RoundedPositions(const Sheet& sheet, const LabelPatch& patch, Round&& round);
+
+/// Check a patch on rounded coordinates.
+/// @param[in] position  as RoundedPositions gives them
+/// @param[in] suspects  what to look at; all by default
+PatchVerdict CheckPatch(const LabelSpace& space, const Sheet& sheet, const LabelPatch& patch,
+                        const std::vector<vcg::Point3d>& position, const Suspects& suspects = {});
 
 // ---------------------------------------------------------------------------------------------------------------------------
 
-namespace detail {
-
-/// Rounded positions of all vertices of a patch: those of the sheet (moved), then the new ones.
 template <class Round>
 std::vector<vcg::Point3d> RoundedPositions(const Sheet& sheet, const LabelPatch& patch, Round&& round)
 {
@@ -52,6 +56,8 @@ std::vector<vcg::Point3d> RoundedPositions(const Sheet& sheet, const LabelPatch&
 		for (int i = 0; i < 3; ++i) p[i] = round(p[i]);
 	return position;
 }
+
+namespace detail {
 
 inline Corners CornersOf(const std::vector<vcg::Point3d>& position, const IndexTriangle& t)
 {
@@ -97,53 +103,110 @@ inline bool CrossedBefore(const std::vector<vcg::Point3d>& position, const Sheet
 	                            CornersOf(position, sheet.triangles[size_t(other)].vertex)));
 }
 
-inline PatchVerdict CheckCrossings(const Sheet& sheet, const LabelPatch& patch,
-                                   const std::vector<vcg::Point3d>& position)
-{
-	std::vector<Corners> mine, others;
-	std::vector<int> otherTriangle;
-	for (const PatchFace& f : patch.faces) mine.push_back(CornersOf(position, f.vertex));
-	for (int t = 0, next = 0; t < int(sheet.triangles.size()); ++t) {
-		if (next < int(patch.removed.size()) && patch.removed[size_t(next)] == t) {
-			++next;
-			continue;
+/// Faces of a patch and of the candidates that stay, under one number each: the patch's first.
+class CrossingCheck {
+public:
+	CrossingCheck(const Sheet& sheet, const LabelPatch& patch, const std::vector<vcg::Point3d>& position)
+		: sheet_(sheet), patch_(patch), position_(position)
+	{}
+
+	PatchVerdict run(const Suspects& suspects) const
+	{
+		std::vector<int> mine, others;
+		for (int f = 0; f < int(patch_.faces.size()); ++f)
+			(suspects.all || suspects.face[size_t(f)] ? mine : others).push_back(f);
+		if (!mine.empty()) {
+			const PatchVerdict verdict = search(mine, withRest(std::move(others)));
+			if (verdict.fault != PatchFault::Sound) return verdict;
 		}
-		others.push_back(CornersOf(position, sheet.triangles[size_t(t)].vertex));
-		otherTriangle.push_back(t);
+		return suspects.all || suspects.pairs.empty() ? PatchVerdict() : searchPairs(suspects.pairs);
 	}
-	const auto onSurface = [&](int face) {
-		return patch.faces[size_t(face)].kind == FaceKind::Outside || patch.isFlat;
-	};
-	CrossingOptions options;
-	options.stopAtFirst = true;
-	options.ignore = [&](int first, int second, bool secondIsOther) {
-		if (!onSurface(first) || !(secondIsOther || onSurface(second))) return false;
-		const int other = secondIsOther ? otherTriangle[size_t(second)] : patch.faces[size_t(second)].parent;
-		return CrossedBefore(position, sheet, patch.faces[size_t(first)], other);
-	};
-	for (const FacePair& pair : FindCrossings(mine, others, options)) {
-		const vcg::Point3d& place = position[size_t(patch.faces[size_t(pair.first)].vertex[0])];
-		if (!pair.secondIsOther) return {PatchFault::CrossesSelf, place, -1};
-		return {PatchFault::CrossesPart, place, sheet.triangles[size_t(otherTriangle[size_t(pair.second)])].face};
+
+private:
+	int patchFaces() const { return int(patch_.faces.size()); }
+	Corners corners(int number) const
+	{
+		return CornersOf(position_, number < patchFaces() ? patch_.faces[size_t(number)].vertex
+		                                                  : sheet_.triangles[size_t(number - patchFaces())].vertex);
 	}
-	return {};
-}
+	/// The numbers given, and those of the candidates that stay.
+	std::vector<int> withRest(std::vector<int> numbers) const
+	{
+		for (int t = 0, next = 0; t < int(sheet_.triangles.size()); ++t) {
+			if (next < int(patch_.removed.size()) && patch_.removed[size_t(next)] == t) ++next;
+			else numbers.push_back(patchFaces() + t);
+		}
+		return numbers;
+	}
+	bool isOnSurface(int face) const { return patch_.faces[size_t(face)].kind == FaceKind::Outside || patch_.isFlat; }
+	/// Two pieces of the surface that crossed before they were cut are not the label's fault.
+	bool crossedBefore(int face, int other) const
+	{
+		const bool otherIsNew = other < patchFaces();
+		if (!isOnSurface(face) || (otherIsNew && !isOnSurface(other))) return false;
+		const PatchFace& f = patch_.faces[size_t(face)];
+		return CrossedBefore(position_, sheet_, f,
+		                     otherIsNew ? patch_.faces[size_t(other)].parent : other - patchFaces());
+	}
+	PatchVerdict verdict(int face, int other) const
+	{
+		const vcg::Point3d& place = position_[size_t(patch_.faces[size_t(face)].vertex[0])];
+		if (other < patchFaces()) return {PatchFault::CrossesSelf, place, -1};
+		return {PatchFault::CrossesPart, place, sheet_.triangles[size_t(other - patchFaces())].face};
+	}
+	PatchVerdict search(const std::vector<int>& mine, const std::vector<int>& others) const
+	{
+		std::vector<Corners> myCorners, otherCorners;
+		for (const int i : mine) myCorners.push_back(corners(i));
+		for (const int i : others) otherCorners.push_back(corners(i));
+		const auto numberOf = [&](int second, bool isOther) { return (isOther ? others : mine)[size_t(second)]; };
+		CrossingOptions options;
+		options.stopAtFirst = true;
+		options.ignore = [&](int first, int second, bool isOther) {
+			return crossedBefore(mine[size_t(first)], numberOf(second, isOther));
+		};
+		for (const FacePair& pair : FindCrossings(myCorners, otherCorners, options))
+			return verdict(mine[size_t(pair.first)], numberOf(pair.second, pair.secondIsOther));
+		return {};
+	}
+	/// The pieces of one candidate against the other candidate or its pieces.
+	PatchVerdict searchPairs(const std::vector<std::array<int, 2>>& pairs) const
+	{
+		std::vector<std::vector<int>> pieces(sheet_.triangles.size());
+		for (int f = 0; f < patchFaces(); ++f) pieces[size_t(patch_.faces[size_t(f)].parent)].push_back(f);
+		for (const auto& [changed, other] : pairs) {
+			std::vector<int> second = pieces[size_t(other)];
+			if (!std::binary_search(patch_.removed.begin(), patch_.removed.end(), other))
+				second.push_back(patchFaces() + other);
+			for (const int f : pieces[size_t(changed)])
+				for (const int g : second)
+					if (IsCrossing(ContactOf(corners(f), corners(g))) && !crossedBefore(f, g)) return verdict(f, g);
+		}
+		return {};
+	}
+
+	const Sheet& sheet_;
+	const LabelPatch& patch_;
+	const std::vector<vcg::Point3d>& position_;
+};
 
 }  // namespace detail
 
-template <class Round>
-PatchVerdict CheckPatch(const LabelSpace& space, const Sheet& sheet, const LabelPatch& patch, Round&& round)
+inline PatchVerdict CheckPatch(const LabelSpace& space, const Sheet& sheet, const LabelPatch& patch,
+                               const std::vector<vcg::Point3d>& position, const Suspects& suspects)
 {
-	const std::vector<vcg::Point3d> position = detail::RoundedPositions(sheet, patch, round);
+	if (suspects.none()) return {};
 	const int merged = detail::FindMerged(sheet, patch, position);
 	if (merged >= 0) return {PatchFault::Merged, position[size_t(merged)]};
-	for (const PatchFace& f : patch.faces) {
+	for (size_t i = 0; i < patch.faces.size(); ++i) {
+		if (!suspects.all && !suspects.face[i]) continue;
+		const PatchFace& f = patch.faces[i];
 		const Corners c = detail::CornersOf(position, f.vertex);
 		if (IsCollinear(c)) return {PatchFault::Collapsed, c[0]};
 		if (f.kind != FaceKind::Wall && !detail::KeepsOrientation(space, sheet, f, c))
 			return {f.kind == FaceKind::Top && !patch.isFlat ? PatchFault::Folded : PatchFault::Collapsed, c[0]};
 	}
-	return detail::CheckCrossings(sheet, patch, position);
+	return detail::CrossingCheck(sheet, patch, position).run(suspects);
 }
 
 }  // namespace vcg::textlabel

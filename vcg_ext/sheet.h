@@ -14,58 +14,19 @@
 
 #include "contour.h"
 #include "label_frame.h"
+#include "parallel_chunks.h"
 #include "predicates.h"
 
 #include <array>
 #include <cstdint>
+#include <cstring>
+#include <limits>
+#include <memory>
 #include <utility>
 #include <vcg/complex/complex.h>
 #include <vector>
 
 namespace vcg::textlabel {
-
-struct SheetVertex {
-	vcg::Point3d mesh;   ///< mesh coordinates
-	vcg::Point3d label;  ///< label space
-	vcg::Point2d plane;  ///< projected to the label plane
-	int index = -1;      ///< index in the mesh
-};
-
-struct SheetTriangle {
-	std::array<int, 3> vertex;  ///< indices into Sheet::vertices
-	int face = -1;              ///< index in the mesh
-	bool facing = false;        ///< counter-clockwise in the label plane (exact)
-};
-
-enum HalfEdgeKind : int { BorderEdge = -1, NonManifoldEdge = -2 };
-
-/// The candidates of a label. Half-edge h = 3 t + k.
-struct Sheet {
-	std::vector<SheetVertex> vertices;
-	std::vector<SheetTriangle> triangles;
-	std::vector<int> twin;                    ///< #T*3: the half-edge on the other side, or a HalfEdgeKind
-	std::vector<int> vertexStart, vertexFan;  ///< CSR: candidates around each vertex
-	bool mayFlip = true;                      ///< false when faces carry attributes that a flipped edge would smear
-	std::vector<int> flipped;                 ///< triangles changed by FlipCaps (cut_repair.h), ascending
-	double largestCoordinate = 0;             ///< of the candidates' mesh coordinates, in absolute value
-	double extent = 0;                        ///< world units: diagonal of the box of all finite vertices of the mesh
-	bool isEmpty = true;                      ///< no face of the mesh has three finite vertices
-	std::vector<std::array<vcg::Point3d, 3>>
-		straddling;  ///< label space: triangles that reach behind the centre of projection
-
-	static int Next(int h) { return h % 3 == 2 ? h - 2 : h + 1; }
-	static int Previous(int h) { return h % 3 == 0 ? h + 2 : h - 1; }
-	int from(int h) const { return triangles[size_t(h / 3)].vertex[size_t(h % 3)]; }
-	int to(int h) const { return from(Next(h)); }
-	const vcg::Point2d& plane(int v) const { return vertices[size_t(v)].plane; }
-	int canonical(int h) const { return twin[size_t(h)] >= 0 && twin[size_t(h)] < h ? twin[size_t(h)] : h; }
-	/// The triangle across h when it is there and faces the viewer, else -1.
-	int facingAcross(int h) const
-	{
-		const int other = twin[size_t(h)];
-		return other >= 0 && triangles[size_t(other / 3)].facing ? other / 3 : -1;
-	}
-};
 
 /// An axis-parallel box in the label plane.
 struct PlaneBox {
@@ -88,13 +49,65 @@ struct PlaneBox {
 	{
 		return b.low[0] >= low[0] && b.low[1] >= low[1] && b.high[0] <= high[0] && b.high[1] <= high[1];
 	}
+	bool holds(const vcg::Point2d& p) const
+	{
+		return p[0] >= low[0] && p[1] >= low[1] && p[0] <= high[0] && p[1] <= high[1];
+	}
+	bool meets(const PlaneBox& b) const
+	{
+		return b.low[0] <= high[0] && b.low[1] <= high[1] && b.high[0] >= low[0] && b.high[1] >= low[1];
+	}
 	double width() const { return high[0] - low[0]; }
 	double height() const { return high[1] - low[1]; }
 };
 
+struct SheetVertex {
+	vcg::Point3d mesh;   ///< mesh coordinates
+	vcg::Point3d label;  ///< label space
+	vcg::Point2d plane;  ///< projected to the label plane
+	int index = -1;      ///< index in the mesh
+};
+
+struct SheetTriangle {
+	std::array<int, 3> vertex;  ///< indices into Sheet::vertices
+	int face = -1;              ///< index in the mesh
+	bool facing = false;        ///< counter-clockwise in the label plane (exact)
+};
+
+enum HalfEdgeKind : int { BorderEdge = -1, NonManifoldEdge = -2 };
+
+/// The candidates of a label. Half-edge h = 3 t + k.
+struct Sheet {
+	std::vector<SheetVertex> vertices;
+	std::vector<SheetTriangle> triangles;
+	std::vector<int> twin;                    ///< #T*3: the half-edge on the other side, or a HalfEdgeKind
+	std::vector<int> vertexStart, vertexFan;  ///< CSR: candidates around each vertex
+	PlaneBox box;                             ///< what they were collected for: nothing else of the mesh meets it
+	bool mayFlip = true;                      ///< false when faces carry attributes that a flipped edge would smear
+	std::vector<int> flipped;                 ///< triangles changed by FlipCaps (cut_repair.h), ascending
+	double largestCoordinate = 0;             ///< of the candidates' mesh coordinates, in absolute value
+	double extent = 0;                        ///< world units: diagonal of the box of all finite vertices of the mesh
+	bool isEmpty = true;                      ///< no face of the mesh has three finite vertices
+	std::vector<std::array<vcg::Point3d, 3>>
+		straddling;  ///< label space: triangles that reach behind the centre of projection
+
+	static int Next(int h) { return h % 3 == 2 ? h - 2 : h + 1; }
+	static int Previous(int h) { return h % 3 == 0 ? h + 2 : h - 1; }
+	int from(int h) const { return triangles[size_t(h / 3)].vertex[size_t(h % 3)]; }
+	int to(int h) const { return from(Next(h)); }
+	const vcg::Point2d& plane(int v) const { return vertices[size_t(v)].plane; }
+	int canonical(int h) const { return twin[size_t(h)] >= 0 && twin[size_t(h)] < h ? twin[size_t(h)] : h; }
+	/// The triangle across h when it is there and faces the viewer, else -1.
+	int facingAcross(int h) const
+	{
+		const int other = twin[size_t(h)];
+		return other >= 0 && triangles[size_t(other / 3)].facing ? other / 3 : -1;
+	}
+};
+
 namespace detail {
 
-enum OutCode : std::uint8_t { Left = 1, Right = 2, Below = 4, Above = 8, Unusable = 16, BehindCamera = 32 };
+enum OutCode : std::uint8_t { Left = 1, Right = 2, Below = 4, Above = 8, Unusable = 16, BehindCamera = 32, Used = 64 };
 
 /// Where a finite point of label space is seen, against a box.
 inline std::uint8_t OutCodeOf(const LabelSpace& space, const PlaneBox& box, const vcg::Point3d& q)
@@ -110,32 +123,35 @@ inline std::uint8_t OutCodeOf(const LabelSpace& space, const PlaneBox& box, cons
 }
 
 /// Pair the half-edges of the candidates: two that run against each other are twins, one alone is a border, the rest is
-/// non-manifold. Sorting keeps it O(n log n) in the candidates and independent of hashing.
+/// non-manifold. Those of an edge meet in the bucket of its lower vertex; the order of hashing or threads plays no part.
 inline void PairHalfEdges(Sheet& sheet)
 {
 	struct Key {
-		int low, high, halfEdge;
+		int high, halfEdge;
 	};
 	const int count = int(sheet.triangles.size()) * 3;
-	std::vector<Key> keys;
-	keys.reserve(size_t(count));
-	for (int h = 0; h < count; ++h) {
-		const int a = sheet.from(h), b = sheet.to(h);
-		keys.push_back({std::min(a, b), std::max(a, b), h});
-	}
-	std::sort(keys.begin(), keys.end(), [](const Key& x, const Key& y) {
-		return x.low != y.low ? x.low < y.low : x.high != y.high ? x.high < y.high : x.halfEdge < y.halfEdge;
-	});
+	std::vector<int> start(sheet.vertices.size() + 2, 0);
+	const auto low = [&](int h) { return size_t(std::min(sheet.from(h), sheet.to(h))); };
+	for (int h = 0; h < count; ++h) ++start[low(h) + 2];
+	for (size_t i = 2; i < start.size(); ++i) start[i] += start[i - 1];
+	std::vector<Key> keys(static_cast<size_t>(count));
+	for (int h = 0; h < count; ++h) keys[size_t(start[low(h) + 1]++)] = {std::max(sheet.from(h), sheet.to(h)), h};
 	sheet.twin.assign(size_t(count), BorderEdge);
-	for (size_t i = 0, j; i < keys.size(); i = j) {
-		for (j = i; j < keys.size() && keys[j].low == keys[i].low && keys[j].high == keys[i].high;) ++j;
-		const int h = keys[i].halfEdge, other = keys[j - 1].halfEdge;
-		if (j - i == 1) continue;
-		const bool opposite = j - i == 2 && sheet.from(h) == sheet.to(other) && sheet.from(h) != sheet.to(h);
-		for (size_t k = i; k < j; ++k) sheet.twin[size_t(keys[k].halfEdge)] = NonManifoldEdge;
-		if (!opposite) continue;
-		sheet.twin[size_t(h)] = other;
-		sheet.twin[size_t(other)] = h;
+	for (size_t v = 0; v + 1 < start.size(); ++v) {
+		Key *const begin = keys.data() + start[v], *const end = keys.data() + start[v + 1];
+		std::sort(begin, end, [](const Key& x, const Key& y) {
+			return x.high != y.high ? x.high < y.high : x.halfEdge < y.halfEdge;
+		});
+		for (Key *i = begin, *j; i != end; i = j) {
+			for (j = i; j != end && j->high == i->high;) ++j;
+			if (j - i == 1) continue;
+			const int h = i->halfEdge, other = j[-1].halfEdge;
+			const bool opposite = j - i == 2 && sheet.from(h) == sheet.to(other) && sheet.from(h) != sheet.to(h);
+			for (const Key* k = i; k != j; ++k) sheet.twin[size_t(k->halfEdge)] = NonManifoldEdge;
+			if (!opposite) continue;
+			sheet.twin[size_t(h)] = other;
+			sheet.twin[size_t(other)] = h;
+		}
 	}
 }
 
@@ -162,76 +178,129 @@ vcg::Point3d PointOf(const MeshType& m, size_t vertex)
 	return {double(p[0]), double(p[1]), double(p[2])};
 }
 
+/// A box in label space.
+struct SpaceBox {
+	vcg::Point3d low, high;
+	bool isEmpty = true;
+
+	void add(const vcg::Point3d& p)
+	{
+		if (std::exchange(isEmpty, false)) low = high = p;
+		for (int i = 0; i < 3; ++i) {
+			low[i] = std::min(low[i], p[i]);
+			high[i] = std::max(high[i], p[i]);
+		}
+	}
+};
+
 /// One pass over the vertices: where each is seen, and the extent of them all.
 template <class MeshType>
 std::vector<std::uint8_t> CodeVertices(const MeshType& m, const LabelSpace& space, const PlaneBox& box, Sheet& sheet)
 {
 	std::vector<std::uint8_t> code(m.vert.size(), Unusable);
-	vcg::Point3d low(0, 0, 0), high(0, 0, 0);
-	bool any = false;
-	for (size_t v = 0; v < m.vert.size(); ++v) {
-		if (m.vert[v].IsD()) continue;
-		const vcg::Point3d q = space.toLabel(PointOf(m, v));
-		if (!IsFinite(q)) continue;
-		code[v] = OutCodeOf(space, box, q);
-		if (!std::exchange(any, true)) low = high = q;
-		for (int i = 0; i < 3; ++i) {
-			low[i] = std::min(low[i], q[i]);
-			high[i] = std::max(high[i], q[i]);
+	std::vector<SpaceBox> extents(ChunkCount(m.vert.size()));
+	EachChunk(m.vert.size(), extents.size(), [&](size_t chunk, size_t first, size_t last) {
+		SpaceBox extent;
+		for (size_t v = first; v < last; ++v) {
+			if (m.vert[v].IsD()) continue;
+			const vcg::Point3d q = space.toLabel(PointOf(m, v));
+			if (!IsFinite(q)) continue;
+			code[v] = OutCodeOf(space, box, q);
+			extent.add(q);
 		}
+		extents[chunk] = extent;
+	});
+	SpaceBox all;
+	for (const SpaceBox& extent : extents) {
+		if (extent.isEmpty) continue;
+		all.add(extent.low);
+		all.add(extent.high);
 	}
-	sheet.extent = (high - low).Norm();
+	sheet.extent = all.isEmpty ? 0 : (all.high - all.low).Norm();
 	return code;
 }
 
-template <class MeshType>
-void AddStraddling(const MeshType& m, const LabelSpace& space, const std::array<int, 3>& v, Sheet& sheet)
-{
-	std::array<vcg::Point3d, 3> q;
-	for (size_t k = 0; k < 3; ++k) q[k] = space.toLabel(PointOf(m, size_t(v[k])));
-	if (IsFinite(q[0]) && IsFinite(q[1]) && IsFinite(q[2])) sheet.straddling.push_back(q);
-}
+/// What a pass over some of the faces finds.
+struct FoundTriangles {
+	std::vector<SheetTriangle> triangles;  ///< their corners are mesh indices yet
+	std::vector<std::array<int, 3>> straddling;
+	bool isEmpty = true;
+};
 
-/// One pass over the faces: those that may meet the box, with their mesh indices as corners.
+/// One pass over some of the faces: those that may meet the box.
 template <class MeshType>
-void CollectTriangles(const MeshType& m, const LabelSpace& space, const std::vector<std::uint8_t>& code, Sheet& sheet)
+FoundTriangles FindTriangles(const MeshType& m, const std::vector<std::uint8_t>& code, bool mirrors, size_t begin,
+                             size_t end)
 {
+	FoundTriangles found;
+	const auto isFinite = [](std::uint8_t x) { return !(x & Unusable) || (x & BehindCamera); };
 	const auto* first = m.vert.data();
-	for (size_t f = 0; f < m.face.size(); ++f) {
+	for (size_t f = begin; f < end; ++f) {
 		if (m.face[f].IsD()) continue;
 		std::array<int, 3> v;
 		for (int k = 0; k < 3; ++k) v[size_t(k)] = int(m.face[f].cV(k) - first);
 		const std::uint8_t a = code[size_t(v[0])], b = code[size_t(v[1])], c = code[size_t(v[2])];
-		const auto isFinite = [](std::uint8_t x) { return !(x & Unusable) || (x & BehindCamera); };
-		sheet.isEmpty = sheet.isEmpty && !(isFinite(a) && isFinite(b) && isFinite(c));
+		found.isEmpty = found.isEmpty && !(isFinite(a) && isFinite(b) && isFinite(c));
 		if ((a | b | c) & Unusable) {
-			if (((a | b | c) & BehindCamera) && !(a & b & c & BehindCamera)) AddStraddling(m, space, v, sheet);
+			if (((a | b | c) & BehindCamera) && !(a & b & c & BehindCamera)) found.straddling.push_back(v);
 			continue;
 		}
 		if (a & b & c) continue;
 		if (v[0] == v[1] || v[1] == v[2] || v[2] == v[0]) continue;  // a line: its edges pair with each other
-		if (space.mirrors()) std::swap(v[1], v[2]);
-		sheet.triangles.push_back({v, int(f), false});
+		if (mirrors) std::swap(v[1], v[2]);
+		found.triangles.push_back({v, int(f), false});
 	}
+	return found;
+}
+
+/// One pass over the faces: the candidates, with their mesh indices as corners; marks these as Used.
+template <class MeshType>
+void CollectTriangles(const MeshType& m, const LabelSpace& space, std::vector<std::uint8_t>& code, Sheet& sheet)
+{
+	std::vector<FoundTriangles> found(ChunkCount(m.face.size()));
+	EachChunk(m.face.size(), found.size(), [&](size_t chunk, size_t first, size_t last) {
+		found[chunk] = FindTriangles(m, code, space.mirrors(), first, last);
+	});
+	for (FoundTriangles& part : found) {
+		sheet.isEmpty = sheet.isEmpty && part.isEmpty;
+		for (const auto& v : part.straddling) {
+			std::array<vcg::Point3d, 3> q;
+			for (size_t k = 0; k < 3; ++k) q[k] = space.toLabel(PointOf(m, size_t(v[k])));
+			if (IsFinite(q[0]) && IsFinite(q[1]) && IsFinite(q[2])) sheet.straddling.push_back(q);
+		}
+		if (sheet.triangles.empty()) sheet.triangles.swap(part.triangles);
+		else sheet.triangles.insert(sheet.triangles.end(), part.triangles.begin(), part.triangles.end());
+	}
+	for (const SheetTriangle& t : sheet.triangles)
+		for (const int v : t.vertex) code[size_t(v)] |= Used;
 }
 
 /// The vertices of the candidates, numbered anew in the order of the mesh.
 template <class MeshType>
-void CollectVertices(const MeshType& m, const LabelSpace& space, Sheet& sheet)
+void CollectVertices(const MeshType& m, const LabelSpace& space, const std::vector<std::uint8_t>& code, Sheet& sheet)
 {
-	std::vector<int> used;
-	used.reserve(sheet.triangles.size() * 3);
-	for (const SheetTriangle& t : sheet.triangles) used.insert(used.end(), t.vertex.begin(), t.vertex.end());
-	std::sort(used.begin(), used.end());
-	used.erase(std::unique(used.begin(), used.end()), used.end());
-	sheet.vertices.reserve(used.size());
-	for (const int index : used) {
-		const vcg::Point3d p = PointOf(m, size_t(index)), q = space.toLabel(p);
-		sheet.vertices.push_back({p, q, space.project(q), index});
+	sheet.vertices.reserve(sheet.triangles.size() / 2 + sheet.triangles.size() / 8 + 3);  // of a surface, about half
+	// Written and read for used vertices only: of a large mesh, most of this memory is never touched.
+	const std::unique_ptr<int[]> number(new int[code.size()]);
+	const auto add = [&](size_t index) {
+		number[index] = int(sheet.vertices.size());
+		const vcg::Point3d p = PointOf(m, index), q = space.toLabel(p);
+		sheet.vertices.push_back({p, q, space.project(q), int(index)});
 		for (int i = 0; i < 3; ++i) sheet.largestCoordinate = std::max(sheet.largestCoordinate, std::abs(p[i]));
+	};
+	constexpr size_t stride = sizeof(std::uint64_t);
+	for (size_t first = 0; first < code.size(); first += stride) {
+		const size_t end = std::min(first + stride, code.size());
+		if (end - first == stride) {
+			std::uint64_t eight;
+			std::memcpy(&eight, code.data() + first, stride);
+			if (!(eight & 0x0101010101010101 * Used)) continue;
+		}
+		for (size_t v = first; v < end; ++v)
+			if (code[v] & Used) add(v);
 	}
 	for (SheetTriangle& t : sheet.triangles) {
-		for (int& v : t.vertex) v = int(std::lower_bound(used.begin(), used.end(), v) - used.begin());
+		for (int& v : t.vertex) v = number[size_t(v)];
 		t.facing = Orient2d(sheet.plane(t.vertex[0]), sheet.plane(t.vertex[1]), sheet.plane(t.vertex[2])) > 0;
 	}
 }
@@ -245,10 +314,11 @@ template <class MeshType>
 Sheet CollectSheet(const MeshType& m, const LabelSpace& space, const PlaneBox& box)
 {
 	Sheet sheet;
+	sheet.box = box;
 	sheet.mayFlip = !vcg::tri::HasPerWedgeTexCoord(m) && !vcg::tri::HasPerFaceColor(m);
-	const std::vector<std::uint8_t> code = detail::CodeVertices(m, space, box, sheet);
+	std::vector<std::uint8_t> code = detail::CodeVertices(m, space, box, sheet);
 	detail::CollectTriangles(m, space, code, sheet);
-	detail::CollectVertices(m, space, sheet);
+	detail::CollectVertices(m, space, code, sheet);
 	detail::PairHalfEdges(sheet);
 	detail::BuildVertexFans(sheet);
 	return sheet;

@@ -1,0 +1,267 @@
+#pragma once
+// Which faces of a patch could cross anything once rounded, told without looking at pairs.
+//
+// A label that is flat, or raised along the rays, is simple when seen from its viewpoint: its faces in the surface and its tops are
+// the triangles of a planar map, its walls are the map's contours. Put the viewpoint at infinity (a projective map, which keeps
+// planes planes) and write p for the place in the label plane, z for the height. Let `lean` bound how far rounding has moved a
+// raised vertex in p from the one it stands over, `rise` the least height of a wall, and `slope` that of the faces. Then two faces
+// can't meet in more than they share when
+//  - every face of the map is counter-clockwise, on the ground and raised: with an unchanged border it overlaps nothing in p;
+//  - its altitudes exceed 8 lean: what shares no vertex with a contour is further from it than any wall leans;
+//  - slope * lean is small against rise, and no angle so small that a wall could lean over a neighbour before it is higher.
+// Faces for which one of these fails are *suspects*, together with all that share a vertex with them; so are the walls on a contour
+// vertex that is a vertex of the mesh, whose neighbours are not all in the patch. Suspects go to the exact search, the rest needs
+// none. For the surface around the patch the same is known from its layer (sheet_layer.h), or pair by pair.
+
+#include "label_clearance.h"
+#include "label_raise.h"
+
+namespace vcg::textlabel {
+
+/// What an exact search must look at.
+struct Suspects {
+	bool all = true;                        ///< nothing can be told: every face, every pair
+	std::vector<char> face;                 ///< #LabelPatch::faces: 1 when suspect
+	std::vector<std::array<int, 2>> pairs;  ///< changed sheet triangle, other sheet triangle that may meet its pieces
+
+	bool none() const { return !all && pairs.empty() && std::count(face.begin(), face.end(), 1) == 0; }
+};
+
+/// Find what could cross in a patch that is flat or raised along the rays.
+/// @param[in] position  mesh coordinates as they will be read back: the sheet's vertices, then the patch's
+/// @param[in] height  world units
+/// @param[in] resolution  world units: more than a coordinate moves when it is rounded
+Suspects FindSuspects(const LabelSpace& space, const Sheet& sheet, const SheetLayer& layer, const LabelPatch& patch,
+                      const std::vector<vcg::Point3d>& position, double height, double resolution);
+
+// ---------------------------------------------------------------------------------------------------------------------------
+
+namespace detail {
+
+/// A patch seen from infinity: each vertex of the ground, and where it was raised to.
+class PlanarMap {
+public:
+	PlanarMap(const LabelSpace& space, const Sheet& sheet, const LabelPatch& patch,
+	          const std::vector<vcg::Point3d>& position, double slack);
+
+	/// Whether every face is counter-clockwise, and walls rise enough to say anything.
+	bool isSound() const { return isSound_; }
+	/// #faces: 1 for each suspect.
+	std::vector<char> suspects() const;
+
+private:
+	/// (p, z): label plane and height.
+	vcg::Point3d seen(const vcg::Point3d& mesh) const
+	{
+		const vcg::Point3d q = space_.toLabel(mesh);
+		return withHeight(space_.project(q), q);
+	}
+	vcg::Point3d withHeight(const vcg::Point2d& p, const vcg::Point3d& q) const
+	{
+		return {p[0], p[1], q[2] * space_.magnification(q)};
+	}
+	int groundOf(int vertex) const
+	{
+		if (vertex < old_) return vertex;
+		const int ground = patch_.vertices[size_t(vertex - old_)].ground;
+		return ground < 0 ? vertex : ground;
+	}
+	void measureRise();
+	void measureFaces();
+
+	struct Measure {
+		double altitude, sine, slope;  ///< least altitude, sine of the least angle, steepness
+	};
+
+	const LabelSpace& space_;
+	const LabelPatch& patch_;
+	int old_;
+	double slack_, lean_ = 0, rise_ = std::numeric_limits<double>::infinity();
+	bool isSound_ = true;
+	std::vector<vcg::Point3d> ground_, raised_;  ///< #vertices as in PatchFace
+	std::vector<char> isRaised_, isMeshContour_;
+	std::vector<Measure> measure_;  ///< #faces; walls unused
+};
+
+inline PlanarMap::PlanarMap(const LabelSpace& space, const Sheet& sheet, const LabelPatch& patch,
+                            const std::vector<vcg::Point3d>& position, double slack)
+	: space_(space), patch_(patch), old_(int(sheet.vertices.size())), slack_(slack), ground_(position.size()),
+	  isRaised_(position.size(), 0), isMeshContour_(position.size(), 0)
+{
+	for (size_t v = 0; v < sheet.vertices.size(); ++v)
+		ground_[v] = withHeight(sheet.vertices[v].plane, sheet.vertices[v].label);
+	for (size_t v = size_t(old_); v < position.size(); ++v)
+		if (patch.vertices[v - size_t(old_)].ground < 0) ground_[v] = seen(position[v]);
+	raised_ = ground_;
+	for (const auto& moved : patch.moved) {
+		raised_[size_t(moved.first)] = seen(position[size_t(moved.first)]);
+		isRaised_[size_t(moved.first)] = 1;
+	}
+	for (size_t v = size_t(old_); v < position.size(); ++v) {
+		const int ground = patch.vertices[v - size_t(old_)].ground;
+		if (ground < 0) continue;
+		raised_[size_t(ground)] = seen(position[v]);
+		isRaised_[size_t(ground)] = 1;
+		isMeshContour_[size_t(ground)] = ground < old_;
+	}
+	for (const vcg::Point3d& p : ground_) {  // far from the origin of the plane, doubles are coarser
+		constexpr double roundings = 1e4 * std::numeric_limits<double>::epsilon();
+		slack_ = std::max(slack_, roundings * std::max(std::abs(p[0]), std::abs(p[1])));
+	}
+	measureRise();
+	measureFaces();
+}
+
+inline void PlanarMap::measureRise()
+{
+	for (size_t v = 0; v < ground_.size(); ++v) {
+		if (!isRaised_[v]) continue;
+		const vcg::Point3d d = raised_[v] - ground_[v];
+		lean_ = std::max({lean_, std::abs(d[0]), std::abs(d[1])});
+		rise_ = std::min(rise_, std::abs(d[2]));
+	}
+	lean_ = 2 * lean_ + slack_;  // of the two axes together, and of the arithmetic
+	constexpr double leastRatio = 64;
+	if (!patch_.isFlat) isSound_ = rise_ > leastRatio * lean_;
+}
+
+inline void PlanarMap::measureFaces()
+{
+	measure_.resize(patch_.faces.size());
+	const auto area = [](const vcg::Point3d& a, const vcg::Point3d& b, const vcg::Point3d& c) {
+		return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+	};
+	for (size_t f = 0; f < patch_.faces.size() && isSound_; ++f) {
+		const PatchFace& face = patch_.faces[f];
+		if (face.kind == FaceKind::Wall) continue;
+		size_t v[3];
+		for (size_t k = 0; k < 3; ++k) v[k] = size_t(groundOf(face.vertex[k]));
+		const vcg::Point3d &a = ground_[v[0]], &b = ground_[v[1]], &c = ground_[v[2]];
+		const std::vector<vcg::Point3d>& own = face.kind == FaceKind::Top ? raised_ : ground_;
+		const vcg::Point3d ab = b - a, bc = c - b, ca = a - c;
+		const auto squared = [](const vcg::Point3d& d) { return d[0] * d[0] + d[1] * d[1]; };
+		double side[3] = {squared(ab), squared(bc), squared(ca)};
+		std::sort(side, side + 3);
+		const double twice = area(a, b, c), above = area(raised_[v[0]], raised_[v[1]], raised_[v[2]]);
+		const double longest = std::sqrt(side[2]), error = slack_ * longest;
+		isSound_ = twice > error && above > error;
+		const vcg::Point3d n = (own[v[1]] - own[v[0]]) ^ (own[v[2]] - own[v[0]]);
+		measure_[f] = {twice / longest, twice / (longest * std::sqrt(side[1])),
+		               std::max(std::abs(n[0]), std::abs(n[1])) * 2 / std::abs(n[2])};
+	}
+}
+
+inline std::vector<char> PlanarMap::suspects() const
+{
+	constexpr double apart = 8, sharp = 8;  // of the bounds above, a little more than the proof needs
+	const bool isFlat = patch_.isFlat;
+	const double ratio = isFlat ? 1 : rise_ / lean_, steepest = std::sqrt(ratio) / apart;
+	double slope = 0;
+	for (const Measure& m : measure_) slope = std::max(slope, m.slope);
+	slope = std::min(slope, steepest);
+	std::vector<char> suspect(patch_.faces.size(), 0), loose(isMeshContour_);
+	bool any = std::count(loose.begin(), loose.end(), 1) > 0;
+	for (size_t f = 0; f < suspect.size(); ++f) {
+		if (patch_.faces[f].kind == FaceKind::Wall) continue;
+		const Measure& m = measure_[f];
+		const bool isGood = m.altitude > apart * (isFlat ? slack_ : lean_) &&
+		                    (isFlat || (m.slope <= steepest && m.sine * ratio > sharp * slope));
+		if (isGood) continue;
+		any = true;
+		for (const int v : patch_.faces[f].vertex) loose[size_t(groundOf(v))] = 1;
+	}
+	if (!any) return suspect;
+	for (size_t f = 0; f < suspect.size(); ++f)
+		for (const int v : patch_.faces[f].vertex)
+			if (loose[size_t(groundOf(v))]) suspect[f] = 1;
+	return suspect;
+}
+
+/// Whether two candidates have no more in common in the label plane than corners that they share, for certain.
+inline bool ArePlainlyApart(const Sheet& sheet, int first, int second)
+{
+	const auto keepsOut = [&](int s, int t) {
+		const SheetTriangle &a = sheet.triangles[size_t(s)], &b = sheet.triangles[size_t(t)];
+		for (size_t k = 0; k < 3; ++k) {
+			const int from = a.vertex[k], to = a.vertex[(k + 1) % 3];
+			bool beyond = true;
+			for (const int v : b.vertex)
+				beyond =
+					beyond && (v == from || v == to ||
+				               Orient2d(sheet.plane(from), sheet.plane(to), sheet.plane(v)) * (a.facing ? 1 : -1) < 0);
+			if (beyond) return true;
+		}
+		return false;
+	};
+	return keepsOut(first, second) || keepsOut(second, first);
+}
+
+/// Some candidates, to be searched by place.
+struct TriangleGroup {
+	std::vector<int> triangle;
+	std::vector<PlaneBox> box;
+	std::unique_ptr<PlaneGrid> grid;  // most labels need none
+
+	template <class Use>
+	void query(const PlaneBox& around, Use&& use)
+	{
+		if (triangle.empty()) return;
+		if (!grid) grid = std::make_unique<PlaneGrid>(box);
+		grid->query(around, [&](int i) { use(triangle[size_t(i)]); });
+	}
+};
+
+/// Pairs of a changed triangle and another candidate that neither the layer, nor their depth, nor the plane keeps apart.
+inline std::vector<std::array<int, 2>> FindNearPairs(const Sheet& sheet, const SheetLayer& layer,
+                                                     const std::vector<int>& changed, double sunk, double slack)
+{
+	TriangleGroup inside, rim;  // of the layer's box: the layer keeps its members apart only there
+	std::vector<double> farthest(sheet.triangles.size());
+	double deepest = std::numeric_limits<double>::infinity();
+	for (const int t : changed) {
+		const PlaneBox box = BoxOfTriangle(CornersInPlane(sheet, t));
+		TriangleGroup& group = layer.has(t) && layer.box.holds(box) ? inside : rim;
+		group.triangle.push_back(t);
+		group.box.push_back(box);
+		const auto& v = sheet.triangles[size_t(t)].vertex;
+		const auto z = [&](size_t k) { return sheet.vertices[size_t(v[k])].label[2]; };
+		farthest[size_t(t)] = std::min({z(0), z(1), z(2)}) - sunk - slack;
+		deepest = std::min(deepest, farthest[size_t(t)]);
+	}
+	std::vector<std::array<int, 2>> pairs;
+	for (int t = 0; t < int(sheet.triangles.size()); ++t) {
+		const bool isMember = layer.has(t);
+		const double nearest = NearestZ(sheet, t);
+		if ((isMember && rim.triangle.empty()) || nearest < deepest) continue;
+		PlaneBox box = BoxOfTriangle(CornersInPlane(sheet, t));
+		box.grow(slack);
+		const auto judge = [&](int other) {
+			if (other == t || nearest < farthest[size_t(other)]) return;
+			if (!ArePlainlyApart(sheet, other, t)) pairs.push_back({other, t});
+		};
+		rim.query(box, judge);
+		if (!isMember) inside.query(box, judge);
+	}
+	return pairs;
+}
+
+}  // namespace detail
+
+inline Suspects FindSuspects(const LabelSpace& space, const Sheet& sheet, const SheetLayer& layer,
+                             const LabelPatch& patch, const std::vector<vcg::Point3d>& position, double height,
+                             double resolution)
+{
+	constexpr double arithmetic = 1e-3;  // of the resolution: far more than what doubles lose
+	Suspects suspects;
+	for (const int t : patch.removed)
+		if (!sheet.triangles[size_t(t)].facing) return suspects;
+	const detail::PlanarMap map(space, sheet, patch, position, arithmetic * resolution);
+	if (!map.isSound()) return suspects;
+	suspects.pairs = detail::FindNearPairs(sheet, layer, patch.removed, std::max(-height, 0.0), resolution);
+	if (suspects.pairs.size() > patch.faces.size()) return suspects;
+	suspects.face = map.suspects();
+	suspects.all = false;
+	return suspects;
+}
+
+}  // namespace vcg::textlabel
