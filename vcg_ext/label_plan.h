@@ -151,21 +151,20 @@ inline std::vector<vcg::Point2d> LabelPlanner::thinned(const std::vector<vcg::Po
 /// A double mesh may be finer than float32: then no label on it survives float32.
 inline void LabelPlanner::requireSheetSurvives()
 {
-	std::vector<std::pair<vcg::Point3d, int>> rounded;
-	bool changes = false;
-	for (const SheetVertex& v : sheet_.vertices) {
-		vcg::Point3d p = v.mesh;
+	const auto rounded = [&](vcg::Point3d p) {
 		for (int k = 0; k < 3; ++k) p[k] = precision_.round(p[k]);
-		changes = changes || p != v.mesh;
-		rounded.emplace_back(p, int(rounded.size()));
-	}
-	isRepresentable_ = !changes;
-	if (!changes) return;
-	std::sort(rounded.begin(), rounded.end());
-	for (size_t i = 1; i < rounded.size(); ++i) {
-		const SheetVertex &a = sheet_.vertices[size_t(rounded[i - 1].second)],
-						  &b = sheet_.vertices[size_t(rounded[i].second)];
-		if (rounded[i].first == rounded[i - 1].first && a.mesh != b.mesh)
+		return p;
+	};
+	isRepresentable_ = std::all_of(sheet_.vertices.begin(), sheet_.vertices.end(),
+	                               [&](const SheetVertex& v) { return rounded(v.mesh) == v.mesh; });
+	if (isRepresentable_) return;
+	std::vector<std::pair<vcg::Point3d, int>> order;
+	for (const SheetVertex& v : sheet_.vertices) order.emplace_back(rounded(v.mesh), int(order.size()));
+	std::sort(order.begin(), order.end());
+	for (size_t i = 1; i < order.size(); ++i) {
+		const SheetVertex &a = sheet_.vertices[size_t(order[i - 1].second)],
+						  &b = sheet_.vertices[size_t(order[i].second)];
+		if (order[i].first == order[i - 1].first && a.mesh != b.mesh)
 			throw Error(ErrorCode::TooFine, "the part itself is finer than float32")
 				.atPlace(a.mesh)
 				.measured((a.label - b.label).Norm(), ulp_);
@@ -256,13 +255,13 @@ inline void LabelPlanner::finish(LabelPlan& plan, bool last) const
 
 inline void LabelPlanner::measureSurface(LabelPlan& plan) const
 {
-	std::vector<int> parents = plan.cut.within;
+	std::vector<char> isParent(sheet_.triangles.size(), 0);
+	for (const int t : plan.cut.within) isParent[size_t(t)] = 1;
 	for (const CutTriangle& t : plan.cut.triangles)
-		if (t.side == Side::Inside) parents.push_back(t.parent);
-	std::sort(parents.begin(), parents.end());
-	parents.erase(std::unique(parents.begin(), parents.end()), parents.end());
-	for (const int t : parents) {
-		const auto& v = sheet_.triangles[size_t(t)].vertex;
+		if (t.side == Side::Inside) isParent[size_t(t.parent)] = 1;
+	for (size_t t = 0; t < isParent.size(); ++t) {
+		if (!isParent[t]) continue;
+		const auto& v = sheet_.triangles[t].vertex;
 		const vcg::Point3d &a = sheet_.vertices[size_t(v[0])].label, &b = sheet_.vertices[size_t(v[1])].label,
 						   &c = sheet_.vertices[size_t(v[2])].label, middle = (a + b + c) / 3;
 		const vcg::Point3d normal = (b - a) ^ (c - a);
@@ -274,7 +273,7 @@ inline void LabelPlanner::measureSurface(LabelPlan& plan) const
 		plan.stretch = std::max(plan.stretch, stretch);
 		if (!(stretch <= options_.maxStretch))
 			throw Error(ErrorCode::Grazing, "the surface is steep to the view")
-				.atFace(sheet_.triangles[size_t(t)].face)
+				.atFace(sheet_.triangles[t].face)
 				.atPlace(space_.toMesh(middle))
 				.measured(stretch, options_.maxStretch);
 	}

@@ -112,7 +112,6 @@ inline LabelPatch RaiseLabel(const LabelSpace& space, const Sheet& sheet, const 
 	const int old = int(sheet.vertices.size());
 	for (size_t i = size_t(old); i < cut.points.size(); ++i)
 		patch.vertices.push_back({cut.points[i].mesh, cut.points[i].parent, cut.points[i].weight, -1});
-	patch.removed = cut.touched;
 	std::vector<int> top(cut.points.size());
 	for (size_t i = 0; i < top.size(); ++i) top[i] = int(i);
 	patch.isFlat = height == 0;
@@ -139,10 +138,9 @@ inline LabelPatch RaiseLabel(const LabelSpace& space, const Sheet& sheet, const 
 		std::vector<char> seen(size_t(old), 0);
 		for (const IndexTriangle& t : inside)
 			for (const int v : t)
-				if (v < old && top[size_t(v)] == v && !std::exchange(seen[size_t(v)], 1))
-					patch.moved.emplace_back(v, raised(v));
-		std::sort(patch.moved.begin(), patch.moved.end(),
-		          [](const auto& a, const auto& b) { return a.first < b.first; });
+				if (v < old && top[size_t(v)] == v) seen[size_t(v)] = 1;
+		for (int v = 0; v < old; ++v)
+			if (seen[size_t(v)]) patch.moved.emplace_back(v, raised(v));
 	}
 	const auto topOf = [&](const IndexTriangle& t) {
 		return IndexTriangle{top[size_t(t[0])], top[size_t(t[1])], top[size_t(t[2])]};
@@ -168,8 +166,9 @@ inline LabelPatch RaiseLabel(const LabelSpace& space, const Sheet& sheet, const 
 		patch.faces.push_back({topOf(v), t, FaceKind::Top});
 		findPieces(v, t);
 	}
-	patch.removed.insert(patch.removed.end(), cut.within.begin(), cut.within.end());
-	std::sort(patch.removed.begin(), patch.removed.end());
+	patch.removed.clear();
+	std::merge(cut.touched.begin(), cut.touched.end(), cut.within.begin(), cut.within.end(),
+	           std::back_inserter(patch.removed));
 	for (const int t : sheet.flipped)
 		if (!std::binary_search(patch.removed.begin(), patch.removed.end(), t)) {
 			patch.faces.push_back({sheet.triangles[size_t(t)].vertex, t, FaceKind::Outside});

@@ -64,20 +64,37 @@ inline Corners CornersOf(const std::vector<vcg::Point3d>& position, const IndexT
 	return {position[size_t(t[0])], position[size_t(t[1])], position[size_t(t[2])]};
 }
 
-/// Two vertices of the patch, at least one of them new or moved, that rounding has made one; or -1.
-inline int FindMerged(const Sheet& sheet, const LabelPatch& patch, const std::vector<vcg::Point3d>& position)
+/// A vertex that rounding has made one with another; or -1. Only pairs of which one is marked are looked at.
+inline int FindMerged(const std::vector<vcg::Point3d>& position, const std::vector<char>& marked)
 {
-	std::vector<int> order(position.size());
-	for (size_t i = 0; i < order.size(); ++i) order[i] = int(i);
-	std::sort(order.begin(), order.end(), [&](int a, int b) { return position[size_t(a)] < position[size_t(b)]; });
-	std::vector<char> changed(position.size(), 0);
-	for (size_t i = sheet.vertices.size(); i < position.size(); ++i) changed[i] = 1;
-	for (const auto& m : patch.moved) changed[size_t(m.first)] = 1;
+	std::vector<int> order;
+	for (size_t i = 0; i < marked.size(); ++i)
+		if (marked[i]) order.push_back(int(i));
+	const auto at = [&](int i) -> const vcg::Point3d& { return position[size_t(i)]; };
+	std::sort(order.begin(), order.end(), [&](int a, int b) { return at(a) != at(b) ? at(a) < at(b) : a < b; });
 	for (size_t i = 1; i < order.size(); ++i)
-		if (position[size_t(order[i])] == position[size_t(order[i - 1])] &&
-		    (changed[size_t(order[i])] || changed[size_t(order[i - 1])]))
-			return order[i];
+		if (at(order[i]) == at(order[i - 1])) return order[i];
+	for (size_t i = 0; i < position.size(); ++i) {
+		if (marked[i]) continue;
+		const auto found = std::lower_bound(order.begin(), order.end(), position[i],
+		                                    [&](int a, const vcg::Point3d& p) { return at(a) < p; });
+		if (found != order.end() && at(*found) == position[i]) return *found;
+	}
 	return -1;
+}
+
+/// The vertices to look at: new and moved ones, of suspects only where these are known.
+inline std::vector<char> MarkVertices(const Sheet& sheet, const LabelPatch& patch, const Suspects& suspects)
+{
+	std::vector<char> marked(sheet.vertices.size() + patch.vertices.size(), 0);
+	for (size_t i = sheet.vertices.size(); i < marked.size(); ++i) marked[i] = 1;
+	for (const auto& m : patch.moved) marked[size_t(m.first)] = 1;
+	if (suspects.all || !suspects.pairs.empty()) return marked;
+	std::vector<char> ofSuspects(marked.size(), 0);
+	for (size_t f = 0; f < patch.faces.size(); ++f)
+		for (const int v : patch.faces[f].vertex)
+			if (suspects.face[f]) ofSuspects[size_t(v)] = marked[size_t(v)];
+	return ofSuspects;
 }
 
 /// Whether a piece of a cut triangle has kept its orientation.
@@ -106,8 +123,9 @@ inline bool CrossedBefore(const std::vector<vcg::Point3d>& position, const Sheet
 /// Faces of a patch and of the candidates that stay, under one number each: the patch's first.
 class CrossingCheck {
 public:
-	CrossingCheck(const Sheet& sheet, const LabelPatch& patch, const std::vector<vcg::Point3d>& position)
-		: sheet_(sheet), patch_(patch), position_(position)
+	CrossingCheck(const LabelSpace& space, const Sheet& sheet, const LabelPatch& patch,
+	              const std::vector<vcg::Point3d>& position)
+		: space_(space), sheet_(sheet), patch_(patch), position_(position)
 	{}
 
 	PatchVerdict run(const Suspects& suspects) const
@@ -116,8 +134,10 @@ public:
 		for (int f = 0; f < int(patch_.faces.size()); ++f)
 			(suspects.all || suspects.face[size_t(f)] ? mine : others).push_back(f);
 		if (!mine.empty()) {
-			const PatchVerdict verdict = search(mine, withRest(std::move(others)));
-			if (verdict.fault != PatchFault::Sound) return verdict;
+			others = withRest(std::move(others));
+			if (!suspects.all) others = thoseNear(mine, others);
+			const PatchVerdict found = search(mine, others);
+			if (found.fault != PatchFault::Sound) return found;
 		}
 		return suspects.all || suspects.pairs.empty() ? PatchVerdict() : searchPairs(suspects.pairs);
 	}
@@ -137,6 +157,34 @@ private:
 			else numbers.push_back(patchFaces() + t);
 		}
 		return numbers;
+	}
+	/// Those that are seen in the same place as one of mine: the others can't meet them.
+	std::vector<int> thoseNear(const std::vector<int>& mine, const std::vector<int>& others) const
+	{
+		std::vector<vcg::Point2d> plane;
+		plane.reserve(position_.size());
+		for (const SheetVertex& v : sheet_.vertices) plane.push_back(v.plane);
+		const auto see = [&](int v) { return space_.project(space_.toLabel(position_[size_t(v)])); };
+		for (const auto& m : patch_.moved) plane[size_t(m.first)] = see(m.first);
+		while (plane.size() < position_.size()) plane.push_back(see(int(plane.size())));
+		const auto boxOf = [&](int number) {
+			PlaneBox box;
+			for (const int v : number < patchFaces() ? patch_.faces[size_t(number)].vertex
+			                                         : sheet_.triangles[size_t(number - patchFaces())].vertex)
+				box.add(plane[size_t(v)]);
+			box.grow(rounding * std::max({-box.low[0], -box.low[1], box.high[0], box.high[1]}));
+			return box;
+		};
+		std::vector<PlaneBox> boxes;
+		for (const int i : mine) boxes.push_back(boxOf(i));
+		PlaneGrid grid(std::move(boxes));
+		std::vector<int> near;
+		for (const int i : others) {
+			bool isNear = false;
+			grid.query(boxOf(i), [&](int) { isNear = true; });
+			if (isNear) near.push_back(i);
+		}
+		return near;
 	}
 	bool isOnSurface(int face) const { return patch_.faces[size_t(face)].kind == FaceKind::Outside || patch_.isFlat; }
 	/// Two pieces of the surface that crossed before they were cut are not the label's fault.
@@ -185,6 +233,9 @@ private:
 		return {};
 	}
 
+	static constexpr double rounding = 1e4 * std::numeric_limits<double>::epsilon();  // of doubles, by far
+
+	const LabelSpace& space_;
 	const Sheet& sheet_;
 	const LabelPatch& patch_;
 	const std::vector<vcg::Point3d>& position_;
@@ -196,7 +247,7 @@ inline PatchVerdict CheckPatch(const LabelSpace& space, const Sheet& sheet, cons
                                const std::vector<vcg::Point3d>& position, const Suspects& suspects)
 {
 	if (suspects.none()) return {};
-	const int merged = detail::FindMerged(sheet, patch, position);
+	const int merged = detail::FindMerged(position, detail::MarkVertices(sheet, patch, suspects));
 	if (merged >= 0) return {PatchFault::Merged, position[size_t(merged)]};
 	for (size_t i = 0; i < patch.faces.size(); ++i) {
 		if (!suspects.all && !suspects.face[i]) continue;
@@ -206,7 +257,7 @@ inline PatchVerdict CheckPatch(const LabelSpace& space, const Sheet& sheet, cons
 		if (f.kind != FaceKind::Wall && !detail::KeepsOrientation(space, sheet, f, c))
 			return {f.kind == FaceKind::Top && !patch.isFlat ? PatchFault::Folded : PatchFault::Collapsed, c[0]};
 	}
-	return detail::CrossingCheck(sheet, patch, position).run(suspects);
+	return detail::CrossingCheck(space, sheet, patch, position).run(suspects);
 }
 
 }  // namespace vcg::textlabel

@@ -35,6 +35,8 @@ private:
 	using GluPointer = std::unique_ptr<GLUtesselator, void (*)(GLUtesselator*)>;
 	void runGlu(const std::vector<vcg::Point2d>& plane, const PolylineSet& rings, int first, int count);
 	void improve(const std::vector<vcg::Point2d>& plane, const std::vector<vcg::Point3d>& space);
+	bool splitQuad(const std::vector<vcg::Point2d>& plane, const std::vector<vcg::Point3d>& space, const int* ring,
+	               std::vector<IndexTriangle>& triangles) const;
 	void pairEdges();
 
 	GluPointer glu_;
@@ -42,6 +44,7 @@ private:
 	std::vector<int> corners_;
 	std::vector<IndexTriangle> triangles_;
 	std::vector<int> twin_, pending_;
+	std::vector<int> table_;  ///< scratch: half-edges by their corners
 	bool crossed_ = false;
 };
 
@@ -114,6 +117,7 @@ inline void Tessellator::triangulate(const std::vector<vcg::Point2d>& plane, con
 		triangles.push_back({ring[0], ring[1], ring[2]});
 		return;
 	}
+	if (corners == 4 && splitQuad(plane, space, ring, triangles)) return;
 	runGlu(plane, rings, first, count);
 	if (crossed_ || int(corners_.size()) != 3 * expected) throw WalkConflict{"a region crosses itself", ring[0]};
 	triangles_.clear();
@@ -123,25 +127,43 @@ inline void Tessellator::triangulate(const std::vector<vcg::Point2d>& plane, con
 	triangles.insert(triangles.end(), triangles_.begin(), triangles_.end());
 }
 
+/// Two triangles for a region of four corners, when they are all that can be made of it; the better pair.
+inline bool Tessellator::splitQuad(const std::vector<vcg::Point2d>& plane, const std::vector<vcg::Point3d>& space,
+                                   const int* ring, std::vector<IndexTriangle>& triangles) const
+{
+	const auto worse = [&](int a, int b, int c, int d) {
+		return std::min(Shape(plane, space, a, b, c), Shape(plane, space, a, c, d));
+	};
+	const double first = worse(ring[0], ring[1], ring[2], ring[3]), second = worse(ring[1], ring[2], ring[3], ring[0]);
+	if (!(std::max(first, second) > 0)) return false;
+	const int k = first >= second ? 0 : 1;
+	triangles.push_back({ring[k], ring[k + 1], ring[k + 2]});
+	triangles.push_back({ring[k], ring[k + 2], ring[(k + 3) % 4]});
+	return true;
+}
+
+/// Half-edges of an edge meet in a hash table; what is found does not depend on its order.
 inline void Tessellator::pairEdges()
 {
-	struct Key {
-		int low, high, halfEdge;
-	};
-	std::vector<Key> keys;
-	for (int h = 0; h < int(triangles_.size()) * 3; ++h) {
-		const IndexTriangle& t = triangles_[size_t(h / 3)];
-		const int a = t[size_t(h % 3)], b = t[size_t((h + 1) % 3)];
-		keys.push_back({std::min(a, b), std::max(a, b), h});
-	}
-	std::sort(keys.begin(), keys.end(), [](const Key& x, const Key& y) {
-		return x.low != y.low ? x.low < y.low : x.high != y.high ? x.high < y.high : x.halfEdge < y.halfEdge;
-	});
-	twin_.assign(keys.size(), -1);
-	for (size_t i = 0; i + 1 < keys.size(); ++i) {
-		if (keys[i].low != keys[i + 1].low || keys[i].high != keys[i + 1].high) continue;
-		twin_[size_t(keys[i].halfEdge)] = keys[i + 1].halfEdge;
-		twin_[size_t(keys[i + 1].halfEdge)] = keys[i].halfEdge;
+	const size_t count = triangles_.size() * 3;
+	size_t places = 16;
+	while (places < 2 * count) places *= 2;
+	table_.assign(places, -1);
+	twin_.assign(count, -1);
+	const auto from = [&](int h) { return triangles_[size_t(h / 3)][size_t(h % 3)]; };
+	const auto to = [&](int h) { return triangles_[size_t(h / 3)][size_t(h % 3 == 2 ? 0 : h % 3 + 1)]; };
+	for (int h = 0; h < int(count); ++h) {
+		const int a = from(h), b = to(h);
+		const auto mixed = (std::uint64_t(std::min(a, b)) << 32 | std::uint64_t(std::max(a, b))) * 0x9E3779B97F4A7C15;
+		size_t slot = size_t(mixed >> 32) & (places - 1);
+		while (table_[slot] >= 0 && (from(table_[slot]) != b || to(table_[slot]) != a))
+			slot = (slot + 1) & (places - 1);
+		if (table_[slot] >= 0) {
+			twin_[size_t(h)] = table_[slot];
+			twin_[size_t(table_[slot])] = h;
+		} else {
+			table_[slot] = h;
+		}
 	}
 }
 
