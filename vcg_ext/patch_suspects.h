@@ -85,8 +85,8 @@ private:
 
 inline PlanarMap::PlanarMap(const LabelSpace& space, const Sheet& sheet, const LabelPatch& patch,
                             const std::vector<vcg::Point3d>& position, double slack)
-	: space_(space), patch_(patch), old_(int(sheet.vertices.size())), slack_(slack), ground_(position.size()),
-	  isRaised_(position.size(), 0), isMeshContour_(position.size(), 0)
+	: space_(space), patch_(patch), old_(int(sheet.vertices.size())), slack_(slack),
+	  ground_(position.size(), vcg::Point3d(0, 0, 0)), isRaised_(position.size(), 0), isMeshContour_(position.size(), 0)
 {
 	for (size_t v = 0; v < sheet.vertices.size(); ++v)
 		ground_[v] = withHeight(sheet.vertices[v].plane, sheet.vertices[v].label);
