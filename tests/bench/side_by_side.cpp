@@ -16,10 +16,10 @@
 
 #include "bench_part.h"
 #include "bench_solid.h"
-#include "text_outline.h"
 #include "ours.h"
 #include "peer.h"
 #include "side_by_side_table.h"
+#include "stages.h"
 
 #include <cstdlib>
 #include <functional>
@@ -54,18 +54,6 @@ int ToNumber(const std::string& text)
 {
 	const double factor = text.back() == 'M' ? 1e6 : text.back() == 'k' ? 1e3 : 1;
 	return int(std::atof(text.c_str()) * factor);
-}
-
-/// Large letters for a short text; a long one as wide as the part takes it.
-textlabel::TextOptions TextSize(const std::string& text)
-{
-	constexpr size_t few = 6;
-	constexpr double size = 10, width = 76;  // units
-	textlabel::TextOptions options;
-	options.font = TEXTLABEL_SOURCE_DIR "/filter_textlabel/fonts/DejaVuSans-Bold.ttf";
-	options.size = size;
-	if (text.size() > few) options.fitWidth = width;
-	return options;
 }
 
 class SideBySide {
