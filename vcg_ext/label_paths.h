@@ -112,7 +112,7 @@ inline std::vector<int> LabelPaths::visited() const
 
 inline void LabelPaths::addSheetVertices()
 {
-	points.reserve(sheet_.vertices.size() * 2);
+	points.reserve(sheet_.vertices.size() + sheet_.vertices.size() / 4);
 	for (int v = 0; v < int(sheet_.vertices.size()); ++v) {
 		const SheetVertex& s = sheet_.vertices[size_t(v)];
 		points.push_back({s.plane, s.label, s.mesh, {v, v, v}, {1, 0, 0}});

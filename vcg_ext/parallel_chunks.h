@@ -3,28 +3,31 @@
 // depend on how many there are.
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <exception>
-#include <system_error>
 #include <thread>
-#include <vector>
 
 namespace vcg::textlabel {
+
+constexpr size_t kMostChunks = 16;
 
 /// How many chunks a pass over `count` elements is worth: one thread's start costs as much as reading some ten thousand.
 inline size_t ChunkCount(size_t count)
 {
-	constexpr size_t least = 50000, most = 16;
+	constexpr size_t least = 50000;
 	const size_t cores = std::max(1u, std::thread::hardware_concurrency());
-	return std::clamp<size_t>(count / least, 1, std::min(cores, most));
+	return std::clamp<size_t>(count / least, 1, std::min(cores, kMostChunks));
 }
 
 /// Call work(chunk, first, last) for each of `chunks` ranges of 0 .. count-1, at the same time where threads can be had.
+/// It fails only where the work does: without memory or threads, all is done by the caller's.
+/// @param[in] chunks  1 .. kMostChunks
 /// @throws what the first chunk that failed has thrown, after all have ended
 template <class Work>
 void EachChunk(size_t count, size_t chunks, const Work& work)
 {
-	std::vector<std::exception_ptr> failed(chunks);
+	std::array<std::exception_ptr, kMostChunks> failed;
 	const auto run = [&](size_t chunk) {
 		try {
 			work(chunk, count * chunk / chunks, count * (chunk + 1) / chunks);
@@ -32,17 +35,16 @@ void EachChunk(size_t count, size_t chunks, const Work& work)
 			failed[chunk] = std::current_exception();
 		}
 	};
-	std::vector<std::thread> threads;
-	threads.reserve(chunks);
+	std::array<std::thread, kMostChunks> threads;
 	size_t started = 1;  // chunk 0 is for this thread
 	try {
-		for (; started < chunks; ++started) threads.emplace_back(run, started);
-	} catch (const std::system_error&) {
-		// no more threads: the rest is done here
+		for (; started < chunks; ++started) threads[started] = std::thread(run, started);
+	} catch (...) {
+		// no more of them: the rest is done here
 	}
 	run(0);
 	for (size_t chunk = started; chunk < chunks; ++chunk) run(chunk);
-	for (std::thread& t : threads) t.join();
+	for (size_t chunk = 1; chunk < started; ++chunk) threads[chunk].join();
 	for (const std::exception_ptr& e : failed)
 		if (e) std::rethrow_exception(e);
 }

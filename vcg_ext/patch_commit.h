@@ -6,9 +6,8 @@
 // raised letter, which move with it. Attributes of new vertices are mixed from the corners of the triangle in which they lie, new
 // faces take those of their birth face.
 
+#include "grow_mesh.h"
 #include "label_raise.h"
-
-#include <vcg/complex/complex.h>
 
 namespace vcg::textlabel {
 
@@ -26,30 +25,6 @@ CommitResult CommitPatch(MeshType& m, const LabelSpace& space, const Sheet& shee
 // ---------------------------------------------------------------------------------------------------------------------------
 
 namespace detail {
-
-/// Grow a mesh by some vertices and faces, or leave it as it was.
-template <class MeshType>
-void GrowMesh(MeshType& m, size_t vertices, size_t faces)
-{
-	using Allocator = vcg::tri::Allocator<MeshType>;
-	const size_t oldVertices = m.vert.size(), oldFaces = m.face.size();
-	const int oldVn = m.vn, oldFn = m.fn;
-	const auto* base = m.vert.data();
-	try {
-		Allocator::AddVertices(m, vertices);
-		base = m.vert.data();
-		if (faces > 0) Allocator::AddFaces(m, faces);
-	} catch (const std::bad_alloc&) {
-		if (base != m.vert.data())  // moved, but the faces were not told
-			for (auto& f : m.face)
-				for (int k = 0; k < f.VN(); ++k) f.V(k) = m.vert.data() + (f.V(k) - base);
-		m.face.resize(oldFaces);
-		m.vert.resize(oldVertices);
-		m.vn = oldVn;
-		m.fn = oldFn;
-		throw Error(ErrorCode::OutOfMemory);
-	}
-}
 
 template <class Value>
 auto Mix(const Value& a, const Value& b, const Value& c, const std::array<double, 3>& w)
@@ -133,7 +108,7 @@ CommitResult CommitPatch(MeshType& m, const LabelSpace& space, const Sheet& shee
 		if (!taken[size_t(t)]) result.faces[guests[guest++]] = sheet.triangles[size_t(t)].face;
 	const int appended = int(guests.size() - guest);
 	for (int i = 0; guest < guests.size(); ++i) result.faces[guests[guest++]] = int(firstNewFace) + i;
-	detail::GrowMesh(m, patch.vertices.size(), size_t(appended));  // nothing below can fail
+	GrowMesh(m, patch.vertices.size(), size_t(appended));  // nothing below can fail
 
 	for (size_t i = 0; i < patch.vertices.size(); ++i)
 		detail::MixVertex(m, sheet, patch.vertices[i], m.vert[size_t(result.firstNewVertex) + i]);

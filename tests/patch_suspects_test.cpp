@@ -1,0 +1,108 @@
+// Suspects: what is left out of the exact search must never be what the exact search would have found.
+
+#include "vcg_ext/patch_check.h"
+
+#include <gtest/gtest.h>
+
+#include "label_check.h"
+
+namespace {
+
+using namespace label_check;
+using test_mesh::Shape;
+
+/// The least room between coordinates decides what can go wrong, so coarse ones stand in for millions of labels on fine ones.
+double OnGrid(double x, double step) { return std::round(x / step) * step; }
+
+Shape Quantized(const Shape& s, double step)
+{
+	return s.moved(
+		[step](const Point3d& p) { return Point3d(OnGrid(p[0], step), OnGrid(p[1], step), OnGrid(p[2], step)); });
+}
+
+/// Hills of a given steepness on a slab, with triangles of about one unit.
+Shape Hills(double amplitude, double turn)
+{
+	const Shape top = test_mesh::Sheet(34, 26, [&](int i, int j) {
+		const double x = 0.9 * (i - 17) + 0.2 * std::sin(1.3 * j + turn), y = 0.9 * (j - 13) + 0.2 * std::cos(1.7 * i);
+		return Point3d(x, y, amplitude * std::sin(0.9 * x + turn) * std::cos(1.1 * y));
+	});
+	return test_mesh::Thickened(top, 34, 26, {0, 0, -12});
+}
+
+struct Tally {
+	int unsuspected = 0, partly = 0, all = 0, faulty = 0;
+};
+
+void Compare(const Shape& shape, const LabelFrame& frame, const Outline& outline, double step, double height,
+             Tally& tally)
+{
+	const double snap = 4 * step;
+	std::unique_ptr<CutExample> e;
+	SheetLayer layer;
+	try {
+		e = std::make_unique<CutExample>(Quantized(shape, step), outline, frame, snap);
+		layer = FindLayer(e->sheet, FindSeeds(e->space, e->sheet, outline, snap));
+	} catch (const PlacementConflict&) {
+		return;  // too coarse for these letters
+	} catch (const Error&) {
+		return;  // too steep for this view
+	}
+	const LabelPatch patch = RaiseLabel(e->space, e->sheet, e->cut, height, ExtrudeAlong::Viewpoint);
+	const auto position = RoundedPositions(e->sheet, patch, [step](double x) { return OnGrid(x, step); });
+	const Suspects suspects = FindSuspects(e->space, e->sheet, layer, patch, position, height, snap);
+	const PatchVerdict full = CheckPatch(e->space, e->sheet, patch, position);
+	const PatchVerdict found = CheckPatch(e->space, e->sheet, patch, position, suspects);
+	EXPECT_EQ(found.fault == PatchFault::Sound, full.fault == PatchFault::Sound)
+		<< "step " << step << " height " << height << " found " << int(found.fault) << " full " << int(full.fault);
+	tally.faulty += full.fault != PatchFault::Sound;
+	++(suspects.all ? tally.all : suspects.none() ? tally.unsuspected : tally.partly);
+}
+
+TEST(Suspects, NothingThatCrossesGoesUnsuspected)
+{
+	Tally tally;
+	const double slant = 0.3;
+	for (double step = 1.0 / (1 << 20); step < 0.1; step *= 2)
+		for (const double amplitude : {0.0, 0.5, 3.0})
+			for (int turn = 0; turn < 3; ++turn)
+				for (const double height : {1.0, -1.0, 0.0, 8 * step}) {
+					const LabelFrame frame = FrameFromDirection(
+						{0.1 * turn, 0, 0}, {slant * std::sin(turn), slant * std::cos(turn), 1}, {0.1, 1, 0});
+					Compare(Hills(amplitude, turn), frame, ThreeLetters(), step, height, tally);
+				}
+	EXPECT_GT(tally.unsuspected, 50);
+	EXPECT_GT(tally.partly, 50);
+	EXPECT_GT(tally.all, 10);
+	EXPECT_GT(tally.faulty, 10);
+	RecordProperty("unsuspected", tally.unsuspected);
+}
+
+TEST(Suspects, InPerspectiveToo)
+{
+	Tally tally;
+	for (double step = 1.0 / (1 << 20); step < 0.1; step *= 4)
+		for (const double amplitude : {0.0, 0.5, 2.0})
+			for (const double height : {1.0, -1.0}) {
+				LabelFrame frame = FromAbovePerspective(40);
+				Compare(Hills(amplitude, 1), frame, ThreeLetters(), step, height, tally);
+			}
+	EXPECT_GT(tally.unsuspected + tally.partly, 10);
+}
+
+// A sheet that runs a grid step behind the label: the depth tells nothing then, and each pair must be looked at.
+TEST(Suspects, SheetsThatNearlyTouchAreLookedAt)
+{
+	const double step = 1.0 / 1024;
+	const Shape thin = test_mesh::Slab(30, 20, step, 15, 10);
+	const CutExample e(thin, ThreeLetters(), FromAbove(), 4 * step);
+	const SheetLayer layer = FindLayer(e.sheet, FindSeeds(e.space, e.sheet, ThreeLetters(), 4 * step));
+	const LabelPatch patch = RaiseLabel(e.space, e.sheet, e.cut, 1, ExtrudeAlong::Viewpoint);
+	const auto position = RoundedPositions(e.sheet, patch, [step](double x) { return OnGrid(x, step); });
+	const Suspects suspects = FindSuspects(e.space, e.sheet, layer, patch, position, 1, 4 * step);
+	EXPECT_TRUE(suspects.all || !suspects.pairs.empty());
+	EXPECT_EQ(CheckPatch(e.space, e.sheet, patch, position, suspects).fault,
+	          CheckPatch(e.space, e.sheet, patch, position).fault);
+}
+
+}  // namespace
