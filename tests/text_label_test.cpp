@@ -329,11 +329,17 @@ TEST(Result, RoomIsTheThicknessOfTheWall)
 	test_mesh::Fill(m, slab);
 	LabelOptions options;
 	options.height = -1;
-	EXPECT_NEAR(LabelMesh(m, ThreeLetters(), FromAbove(), options).room, 2.5, 1e-6);
+	test_mesh::FloatMesh measured;
+	EXPECT_EQ(LabelMesh(m, ThreeLetters(), FromAbove(), options).room, std::numeric_limits<double>::infinity())
+		<< "deeper than the label";
+	test_mesh::Fill(measured, slab);
+	options.measureRoom = true;
+	EXPECT_NEAR(LabelMesh(measured, ThreeLetters(), FromAbove(), options).room, 2.5, 1e-6);
 	// a sheet has nothing behind it
 	test_mesh::FloatMesh sheet;
 	test_mesh::Fill(sheet, test_mesh::Sheet(4, 4, [](int i, int j) { return Point3d(10 * (i - 2), 10 * (j - 2), 0); }));
-	EXPECT_EQ(LabelMesh(sheet, ThreeLetters(), FromAbove(), {}).room, std::numeric_limits<double>::infinity());
+	options.height = 0;
+	EXPECT_EQ(LabelMesh(sheet, ThreeLetters(), FromAbove(), options).room, std::numeric_limits<double>::infinity());
 }
 
 TEST(Result, SameBytesOnEveryRun)

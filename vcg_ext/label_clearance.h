@@ -22,9 +22,10 @@ struct Clearance {
 /// Measure the room behind the letters and check that nothing hides them.
 /// @param[in] resolution  world units; overlaps thinner than this are neighbours that touch
 /// @param[in] layer  of the label: its members need no look, since within its box they can't overlap the letters
+/// @param[in] within  world units: what lies deeper below the letters is not looked for
 /// @throws Error{Occluded} naming the face in front, and the place
 Clearance MeasureClearance(const LabelSpace& space, const Sheet& sheet, const CutLabel& cut, double resolution,
-                           const SheetLayer& layer = {});
+                           const SheetLayer& layer = {}, double within = std::numeric_limits<double>::infinity());
 
 // ---------------------------------------------------------------------------------------------------------------------------
 
@@ -97,6 +98,19 @@ inline bool AreApart(const std::array<vcg::Point2d, 3>& s, const std::array<vcg:
 	return false;
 }
 
+/// Label space: the least z of the letters' surface.
+inline double FarthestZ(const Sheet& sheet, const CutLabel& cut)
+{
+	double least = std::numeric_limits<double>::infinity();
+	const auto add = [&](const IndexTriangle& t) {
+		for (const int v : t) least = std::min(least, cut.points[size_t(v)].label[2]);
+	};
+	for (const CutTriangle& t : cut.triangles)
+		if (t.side == Side::Inside) add(t.point);
+	for (const int t : cut.within) add(sheet.triangles[size_t(t)].vertex);
+	return least;
+}
+
 /// The letters' surface as triangles of the label plane.
 struct LetterSurface {
 	std::vector<std::array<vcg::Point2d, 3>> plane;
@@ -123,11 +137,11 @@ struct LetterSurface {
 }  // namespace detail
 
 inline Clearance MeasureClearance(const LabelSpace& space, const Sheet& sheet, const CutLabel& cut, double resolution,
-                                  const SheetLayer& layer)
+                                  const SheetLayer& layer, double within)
 {
-	const detail::LetterSurface letters(sheet, cut);
-	const double farthest = *std::min_element(letters.farthest.begin(), letters.farthest.end());
-	PlaneGrid grid(letters.box);
+	const double farthest = detail::FarthestZ(sheet, cut);
+	std::unique_ptr<detail::LetterSurface> letters;  // most labels need none: all else lies deep below them
+	std::unique_ptr<PlaneGrid> grid;
 	const auto pointOn = [&](int triangle, const vcg::Point2d& p) {
 		const vcg::Point3d w = SpaceWeights(space, sheet, triangle, p);
 		vcg::Point3d q(0, 0, 0);
@@ -140,11 +154,16 @@ inline Clearance MeasureClearance(const LabelSpace& space, const Sheet& sheet, c
 		if (layer.has(t)) continue;
 		// what lies deeper than the best found so far, measured along w, lies deeper along the rays as well
 		const double nearest = detail::NearestZ(sheet, t);
-		if (farthest - nearest >= clearance.behind) continue;
+		const auto isDeep = [&](double z) { return z - nearest >= std::min(within, clearance.behind); };
+		if (isDeep(farthest)) continue;
+		if (!letters) {
+			letters = std::make_unique<detail::LetterSurface>(sheet, cut);
+			grid = std::make_unique<PlaneGrid>(letters->box);
+		}
 		const std::array<vcg::Point2d, 3> corner = detail::CornersInPlane(sheet, t);
-		grid.query(detail::BoxOfTriangle(corner), [&](int s) {
-			if (letters.parent[size_t(s)] == t || letters.farthest[size_t(s)] - nearest >= clearance.behind) return;
-			const auto& letter = letters.plane[size_t(s)];
+		grid->query(detail::BoxOfTriangle(corner), [&](int s) {
+			if (letters->parent[size_t(s)] == t || isDeep(letters->farthest[size_t(s)])) return;
+			const auto& letter = letters->plane[size_t(s)];
 			if (detail::AreApart(letter, corner, resolution) || detail::AreApart(corner, letter, resolution)) return;
 			detail::SmallPolygon overlap;
 			for (const vcg::Point2d& p : corner) overlap.add(p);
@@ -154,7 +173,7 @@ inline Clearance MeasureClearance(const LabelSpace& space, const Sheet& sheet, c
 			double least = std::numeric_limits<double>::infinity(), most = -least;
 			vcg::Point3d place(0, 0, 0);
 			for (int i = 0; i < overlap.size; ++i) {
-				const vcg::Point3d q = pointOn(letters.parent[size_t(s)], overlap.point[size_t(i)]);
+				const vcg::Point3d q = pointOn(letters->parent[size_t(s)], overlap.point[size_t(i)]);
 				const double depth = (q - pointOn(t, overlap.point[size_t(i)])) * space.towardsViewer(q);  // > 0 behind
 				most = std::max(most, depth);
 				if (depth >= least) continue;

@@ -21,7 +21,8 @@ namespace vcg::textlabel {
 struct LabelOptions {
 	double height = 0;  ///< world units: > 0 raised, < 0 sunk, 0 flat
 	ExtrudeAlong along = ExtrudeAlong::Viewpoint;
-	double maxStretch = 8;  ///< refuse where a letter gets this much longer on the surface than in the plane
+	double maxStretch = 8;     ///< refuse where a letter gets this much longer on the surface than in the plane
+	bool measureRoom = false;  ///< look for the next surface behind the letters however deep it lies: LabelResult::room
 	std::function<bool(int percent)> progress;  ///< may be null; false cancels
 };
 
@@ -30,7 +31,7 @@ struct LabelPlan {
 	LabelPatch patch;
 	double stretch = 1;      ///< largest ratio of surface length to label length under the letters
 	double surfaceArea = 0;  ///< of the letters on the surface before raising, world units squared
-	double room = 0;         ///< to the next surface behind the letters, world units; infinite if none
+	double room = 0;         ///< to the next surface behind the letters, world units; infinite if none was found
 	double resolution = 0;   ///< world units: no point of a contour was moved by more
 	int attempts = 0;        ///< placements tried
 };
@@ -287,10 +288,13 @@ inline void LabelPlanner::measureSurface(LabelPlan& plan) const
 inline void LabelPlanner::checkRoom(LabelPlan& plan) const
 {
 	constexpr double margin = 2;  // of snap: what must stay of a wall
-	const Clearance clearance = MeasureClearance(space_, sheet_, plan.cut, snap_, layer_);
+	const bool isSunk = options_.along == ExtrudeAlong::Viewpoint && options_.height < 0;
+	const double needed = isSunk ? -options_.height + margin * snap_ : 0;
+	const double within = options_.measureRoom ? std::numeric_limits<double>::infinity() : needed;
+	const Clearance clearance = MeasureClearance(space_, sheet_, plan.cut, snap_, layer_, within);
 	plan.room = clearance.behind;
 	const double left = clearance.behind + options_.height;
-	if (options_.along == ExtrudeAlong::Viewpoint && options_.height < 0 && left < margin * snap_)
+	if (isSunk && left < margin * snap_)
 		throw Error(ErrorCode::HitsSurface, "the floor comes out behind")
 			.atFace(clearance.face)
 			.atPlace(clearance.place)

@@ -12,10 +12,11 @@ namespace vcg::textlabel {
 
 constexpr size_t kMostChunks = 16;
 
-/// How many chunks a pass over `count` elements is worth: one thread's start costs as much as reading some ten thousand.
+/// How many chunks a pass over `count` elements is worth: one thread's start costs as much as reading some ten thousands,
+/// and more where the other cores are busy.
 inline size_t ChunkCount(size_t count)
 {
-	constexpr size_t least = 50000;
+	constexpr size_t least = 150000;
 	const size_t cores = std::max(1u, std::thread::hardware_concurrency());
 	return std::clamp<size_t>(count / least, 1, std::min(cores, kMostChunks));
 }

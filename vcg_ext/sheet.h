@@ -180,7 +180,7 @@ vcg::Point3d PointOf(const MeshType& m, size_t vertex)
 
 /// A box in label space.
 struct SpaceBox {
-	vcg::Point3d low, high;
+	vcg::Point3d low{0, 0, 0}, high{0, 0, 0};
 	bool isEmpty = true;
 
 	void add(const vcg::Point3d& p)

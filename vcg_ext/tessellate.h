@@ -2,8 +2,10 @@
 // Regions to triangles.
 //
 // GLU's tessellator does it, as in the paper (section 3.2). It must not add a vertex: when its combine callback is handed
-// two different points, a region crosses itself, and that is a conflict. GLU leaves needles, also flat ones between points that lie on one straight edge, so
-// edges inside a region are then flipped until the worst triangle can't be made better. Region borders are never flipped.
+// two different points, a region crosses itself, and that is a conflict. Most regions are a few corners between two contour points,
+// for which GLU's preparations cost more than the work: from these, ears are cut (G. H. Meisters, "Polygons have ears", American
+// Mathematical Monthly 82, 1975), by exact signs. Both leave needles, also flat ones between points that lie on one straight edge,
+// so edges inside a region are then flipped until the worst triangle can't be made better. Region borders are never flipped.
 
 #include "triangle_walk.h"
 
@@ -33,10 +35,11 @@ public:
 
 private:
 	using GluPointer = std::unique_ptr<GLUtesselator, void (*)(GLUtesselator*)>;
+	static constexpr int mostEars = 12;  ///< corners of a ring that is not worth GLU's preparations
 	void runGlu(const std::vector<vcg::Point2d>& plane, const PolylineSet& rings, int first, int count);
 	void improve(const std::vector<vcg::Point2d>& plane, const std::vector<vcg::Point3d>& space);
-	bool splitQuad(const std::vector<vcg::Point2d>& plane, const std::vector<vcg::Point3d>& space, const int* ring,
-	               std::vector<IndexTriangle>& triangles) const;
+	bool clipEars(const std::vector<vcg::Point2d>& plane, const std::vector<vcg::Point3d>& space, const int* ring,
+	              int corners);
 	void pairEdges();
 
 	GluPointer glu_;
@@ -117,29 +120,52 @@ inline void Tessellator::triangulate(const std::vector<vcg::Point2d>& plane, con
 		triangles.push_back({ring[0], ring[1], ring[2]});
 		return;
 	}
-	if (corners == 4 && splitQuad(plane, space, ring, triangles)) return;
-	runGlu(plane, rings, first, count);
-	if (crossed_ || int(corners_.size()) != 3 * expected) throw WalkConflict{"a region crosses itself", ring[0]};
-	triangles_.clear();
-	for (size_t i = 0; i < corners_.size(); i += 3)
-		triangles_.push_back({corners_[i], corners_[i + 1], corners_[i + 2]});
+	if (count > 1 || corners > mostEars || !clipEars(plane, space, ring, corners)) {
+		runGlu(plane, rings, first, count);
+		if (crossed_ || int(corners_.size()) != 3 * expected) throw WalkConflict{"a region crosses itself", ring[0]};
+		triangles_.clear();
+		for (size_t i = 0; i < corners_.size(); i += 3)
+			triangles_.push_back({corners_[i], corners_[i + 1], corners_[i + 2]});
+	}
 	improve(plane, space);
 	triangles.insert(triangles.end(), triangles_.begin(), triangles_.end());
 }
 
-/// Two triangles for a region of four corners, when they are all that can be made of it; the better pair.
-inline bool Tessellator::splitQuad(const std::vector<vcg::Point2d>& plane, const std::vector<vcg::Point3d>& space,
-                                   const int* ring, std::vector<IndexTriangle>& triangles) const
+/// Cut ears off a small ring without holes, the best-shaped first; false when it can't be done, as with a ring that touches itself.
+inline bool Tessellator::clipEars(const std::vector<vcg::Point2d>& plane, const std::vector<vcg::Point3d>& space,
+                                  const int* ring, int corners)
 {
-	const auto worse = [&](int a, int b, int c, int d) {
-		return std::min(Shape(plane, space, a, b, c), Shape(plane, space, a, c, d));
+	std::array<int, mostEars> left;
+	std::copy(ring, ring + corners, left.begin());
+	std::array<double, mostEars> shape;  // of the ear at each corner; none: 0
+	int n = corners;
+	const auto at = [&](int i) { return left[size_t((i + n) % n)]; };
+	const auto side = [&](int a, int b, int c) {
+		return Orient2d(plane[size_t(a)], plane[size_t(b)], plane[size_t(c)]);
 	};
-	const double first = worse(ring[0], ring[1], ring[2], ring[3]), second = worse(ring[1], ring[2], ring[3], ring[0]);
-	if (!(std::max(first, second) > 0)) return false;
-	const int k = first >= second ? 0 : 1;
-	triangles.push_back({ring[k], ring[k + 1], ring[k + 2]});
-	triangles.push_back({ring[k], ring[k + 2], ring[(k + 3) % 4]});
-	return true;
+	const auto earAt = [&](int i) {
+		const int a = at(i - 1), b = at(i), c = at(i + 1);
+		const double s = Shape(plane, space, a, b, c);
+		if (!(s > 0)) return 0.0;
+		for (int k = i + 2; k < i + n - 1; ++k) {
+			const int p = at(k);
+			if (side(a, b, p) >= 0 && side(b, c, p) >= 0 && side(c, a, p) >= 0) return 0.0;
+		}
+		return s;
+	};
+	for (int i = 0; i < n; ++i) shape[size_t(i)] = earAt(i);
+	triangles_.clear();
+	while (n > 3) {
+		const int best = int(std::max_element(shape.begin(), shape.begin() + n) - shape.begin());
+		if (!(shape[size_t(best)] > 0)) return false;
+		triangles_.push_back({at(best - 1), at(best), at(best + 1)});
+		std::copy(left.begin() + best + 1, left.begin() + n, left.begin() + best);
+		std::copy(shape.begin() + best + 1, shape.begin() + n, shape.begin() + best);
+		--n;
+		for (const int i : {(best + n - 1) % n, best % n}) shape[size_t(i)] = earAt(i);
+	}
+	triangles_.push_back({left[0], left[1], left[2]});
+	return side(left[0], left[1], left[2]) > 0;
 }
 
 /// Half-edges of an edge meet in a hash table; what is found does not depend on its order.

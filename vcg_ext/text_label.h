@@ -26,9 +26,11 @@ struct LabelResult {
 	double surfaceArea = 0;  ///< of the letters on the surface before raising, world units squared
 	double addedVolume = 0;  ///< after minus before, mesh units cubed
 	double stretch = 1;      ///< largest ratio of surface length to label length under the letters
-	double room = 0;         ///< to the next surface behind the letters along the rays, world units; infinite if none
-	double resolution = 0;   ///< world units: no point of a contour was moved by more
-	int attempts = 1;        ///< placements tried within the resolution
+	double room =
+		0;  ///< to the next surface behind the letters along the rays, world units; infinite when there is none, and
+			///< when none lies within the depth and LabelOptions::measureRoom is off
+	double resolution = 0;        ///< world units: no point of a contour was moved by more
+	int attempts = 1;             ///< placements tried within the resolution
 	bool survivesFloat32 = true;  ///< false: a double mesh whose letters only double coordinates carry
 };
 
