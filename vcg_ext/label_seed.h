@@ -64,7 +64,8 @@ inline void HitSeed(const LabelSpace& space, const Sheet& sheet, int triangle, c
 inline bool IsOnStraddling(const LabelSpace& space, const Sheet& sheet, const vcg::Point2d& p)
 {
 	const vcg::Point3d c = space.center(), ray = vcg::Point3d(p[0], p[1], 0) - c;
-	for (const auto& q : sheet.straddling) {
+	for (const StraddlingTriangle& t : sheet.straddling) {
+		const auto& q = t.label;
 		const double a = ray * ((q[0] - c) ^ (q[1] - c)), b = ray * ((q[1] - c) ^ (q[2] - c)),
 					 d = ray * ((q[2] - c) ^ (q[0] - c));
 		const bool through = (a >= 0 && b >= 0 && d >= 0) || (a <= 0 && b <= 0 && d <= 0);

@@ -112,15 +112,7 @@ inline bool KeepsOrientation(const LabelSpace& space, const Sheet& sheet, const 
 	return ((c[1] - c[0]) ^ (c[2] - c[0])) * before > 0;
 }
 
-/// Whether a pair that crosses crossed before the label: a piece of a triangle and what that triangle already met.
-inline bool CrossedBefore(const std::vector<vcg::Point3d>& position, const Sheet& sheet, const PatchFace& a, int other)
-{
-	if (a.parent == other) return false;
-	return IsCrossing(ContactOf(CornersOf(position, sheet.triangles[size_t(a.parent)].vertex),
-	                            CornersOf(position, sheet.triangles[size_t(other)].vertex)));
-}
-
-/// Faces of a patch and of the candidates that stay, under one number each: the patch's first.
+/// All faces that could meet, under one number each: those of the patch, the candidates that stay, the straddling triangles.
 class CrossingCheck {
 public:
 	CrossingCheck(const LabelSpace& space, const Sheet& sheet, const LabelPatch& patch,
@@ -144,10 +136,31 @@ public:
 
 private:
 	int patchFaces() const { return int(patch_.faces.size()); }
+	int firstStraddling() const { return patchFaces() + int(sheet_.triangles.size()); }
+	const StraddlingTriangle& straddling(int number) const
+	{
+		return sheet_.straddling[size_t(number - firstStraddling())];
+	}
+	const IndexTriangle& vertices(int number) const
+	{
+		return number < patchFaces() ? patch_.faces[size_t(number)].vertex
+		                             : sheet_.triangles[size_t(number - patchFaces())].vertex;
+	}
 	Corners corners(int number) const
 	{
-		return CornersOf(position_, number < patchFaces() ? patch_.faces[size_t(number)].vertex
-		                                                  : sheet_.triangles[size_t(number - patchFaces())].vertex);
+		return number < firstStraddling() ? CornersOf(position_, vertices(number)) : straddling(number).mesh;
+	}
+	/// As they were before the label: of a piece, those of the triangle it was cut from.
+	Corners cornersBefore(int number) const
+	{
+		if (number >= firstStraddling()) return straddling(number).mesh;
+		const auto& v = sheet_.triangles[size_t(parent(number))].vertex;
+		const auto at = [&](size_t k) { return sheet_.vertices[size_t(v[k])].mesh; };
+		return {at(0), at(1), at(2)};
+	}
+	int parent(int number) const
+	{
+		return number < patchFaces() ? patch_.faces[size_t(number)].parent : number - patchFaces();
 	}
 	/// The numbers given, and those of the candidates that stay.
 	std::vector<int> withRest(std::vector<int> numbers) const
@@ -156,6 +169,7 @@ private:
 			if (next < int(patch_.removed.size()) && patch_.removed[size_t(next)] == t) ++next;
 			else numbers.push_back(patchFaces() + t);
 		}
+		for (int i = 0; i < int(sheet_.straddling.size()); ++i) numbers.push_back(firstStraddling() + i);
 		return numbers;
 	}
 	/// Those that are seen in the same place as one of mine: the others can't meet them.
@@ -169,9 +183,7 @@ private:
 		while (plane.size() < position_.size()) plane.push_back(see(int(plane.size())));
 		const auto boxOf = [&](int number) {
 			PlaneBox box;
-			for (const int v : number < patchFaces() ? patch_.faces[size_t(number)].vertex
-			                                         : sheet_.triangles[size_t(number - patchFaces())].vertex)
-				box.add(plane[size_t(v)]);
+			for (const int v : vertices(number)) box.add(plane[size_t(v)]);
 			box.grow(rounding * std::max({-box.low[0], -box.low[1], box.high[0], box.high[1]}));
 			return box;
 		};
@@ -190,17 +202,16 @@ private:
 	/// Two pieces of the surface that crossed before they were cut are not the label's fault.
 	bool crossedBefore(int face, int other) const
 	{
-		const bool otherIsNew = other < patchFaces();
-		if (!isOnSurface(face) || (otherIsNew && !isOnSurface(other))) return false;
-		const PatchFace& f = patch_.faces[size_t(face)];
-		return CrossedBefore(position_, sheet_, f,
-		                     otherIsNew ? patch_.faces[size_t(other)].parent : other - patchFaces());
+		if (!isOnSurface(face) || (other < patchFaces() && !isOnSurface(other))) return false;
+		if (other < firstStraddling() && parent(face) == parent(other)) return false;
+		return IsCrossing(ContactOf(cornersBefore(face), cornersBefore(other)));
 	}
 	PatchVerdict verdict(int face, int other) const
 	{
 		const vcg::Point3d& place = position_[size_t(patch_.faces[size_t(face)].vertex[0])];
 		if (other < patchFaces()) return {PatchFault::CrossesSelf, place, -1};
-		return {PatchFault::CrossesPart, place, sheet_.triangles[size_t(other - patchFaces())].face};
+		return {PatchFault::CrossesPart, place,
+		        other < firstStraddling() ? sheet_.triangles[size_t(parent(other))].face : straddling(other).face};
 	}
 	PatchVerdict search(const std::vector<int>& mine, const std::vector<int>& others) const
 	{

@@ -253,6 +253,7 @@ inline Suspects FindSuspects(const LabelSpace& space, const Sheet& sheet, const 
 {
 	constexpr double arithmetic = 1e-3;  // of the resolution: far more than what doubles lose
 	Suspects suspects;
+	if (!sheet.straddling.empty()) return suspects;  // not seen as a whole
 	for (const int t : patch.removed)
 		if (!sheet.triangles[size_t(t)].facing) return suspects;
 	const detail::PlanarMap map(space, sheet, patch, position, arithmetic * resolution);

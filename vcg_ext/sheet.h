@@ -76,6 +76,12 @@ struct SheetTriangle {
 
 enum HalfEdgeKind : int { BorderEdge = -1, NonManifoldEdge = -2 };
 
+/// A triangle that reaches behind the centre of projection: it can't be seen whole, but it can be met.
+struct StraddlingTriangle {
+	std::array<vcg::Point3d, 3> mesh, label;  ///< corners in mesh coordinates and in label space
+	int face = -1;                            ///< index in the mesh
+};
+
 /// The candidates of a label. Half-edge h = 3 t + k.
 struct Sheet {
 	std::vector<SheetVertex> vertices;
@@ -88,8 +94,7 @@ struct Sheet {
 	double largestCoordinate = 0;             ///< of the candidates' mesh coordinates, in absolute value
 	double extent = 0;                        ///< world units: diagonal of the box of all finite vertices of the mesh
 	bool isEmpty = true;                      ///< no face of the mesh has three finite vertices
-	std::vector<std::array<vcg::Point3d, 3>>
-		straddling;  ///< label space: triangles that reach behind the centre of projection
+	std::vector<StraddlingTriangle> straddling;
 
 	static int Next(int h) { return h % 3 == 2 ? h - 2 : h + 1; }
 	static int Previous(int h) { return h % 3 == 0 ? h + 2 : h - 1; }
@@ -223,7 +228,7 @@ std::vector<std::uint8_t> CodeVertices(const MeshType& m, const LabelSpace& spac
 /// What a pass over some of the faces finds.
 struct FoundTriangles {
 	std::vector<SheetTriangle> triangles;  ///< their corners are mesh indices yet
-	std::vector<std::array<int, 3>> straddling;
+	std::vector<SheetTriangle> straddling;
 	bool isEmpty = true;
 };
 
@@ -242,7 +247,8 @@ FoundTriangles FindTriangles(const MeshType& m, const std::vector<std::uint8_t>&
 		const std::uint8_t a = code[size_t(v[0])], b = code[size_t(v[1])], c = code[size_t(v[2])];
 		found.isEmpty = found.isEmpty && !(isFinite(a) && isFinite(b) && isFinite(c));
 		if ((a | b | c) & Unusable) {
-			if (((a | b | c) & BehindCamera) && !(a & b & c & BehindCamera)) found.straddling.push_back(v);
+			if (((a | b | c) & BehindCamera) && !(a & b & c & BehindCamera))
+				found.straddling.push_back({v, int(f), false});
 			continue;
 		}
 		if (a & b & c) continue;
@@ -263,10 +269,14 @@ void CollectTriangles(const MeshType& m, const LabelSpace& space, std::vector<st
 	});
 	for (FoundTriangles& part : found) {
 		sheet.isEmpty = sheet.isEmpty && part.isEmpty;
-		for (const auto& v : part.straddling) {
-			std::array<vcg::Point3d, 3> q;
-			for (size_t k = 0; k < 3; ++k) q[k] = space.toLabel(PointOf(m, size_t(v[k])));
-			if (IsFinite(q[0]) && IsFinite(q[1]) && IsFinite(q[2])) sheet.straddling.push_back(q);
+		for (const SheetTriangle& t : part.straddling) {
+			StraddlingTriangle s;
+			s.face = t.face;
+			for (size_t k = 0; k < 3; ++k) {
+				s.mesh[k] = PointOf(m, size_t(t.vertex[k]));
+				s.label[k] = space.toLabel(s.mesh[k]);
+			}
+			if (IsFinite(s.label[0]) && IsFinite(s.label[1]) && IsFinite(s.label[2])) sheet.straddling.push_back(s);
 		}
 		if (sheet.triangles.empty()) sheet.triangles.swap(part.triangles);
 		else sheet.triangles.insert(sheet.triangles.end(), part.triangles.begin(), part.triangles.end());
