@@ -96,4 +96,23 @@ TEST(PatchCheck, ForgivesWhatWasWrongBefore)
 	for (const double h : {1.0, -1.0, 0.0}) EXPECT_EQ(Check(e, h).fault, PatchFault::Sound) << h;
 }
 
+// A triangle that reaches behind the viewpoint has no place in the label plane, but the raised letters may run into it.
+TEST(PatchCheck, FindsTrianglesThatReachBehindTheViewpoint)
+{
+	Shape part = Slab();
+	const int a = part.add({0.5, -0.2, -1}), b = part.add({0.7, 0.2, -1}), c = part.add({0.6, 0, 30});
+	part.faces.push_back({a, b, c});
+	const Outline on = Letters({Rectangle(-1, -1, 1, 1)}), beside = Letters({Rectangle(-4, -1, -2, 1)});
+	const LabelFrame view = FromAbovePerspective(10);
+	LabelOptions options;
+	for (const double height : {0.5, -0.5}) {
+		options.height = height;
+		test_mesh::FloatMesh m;
+		test_mesh::Fill(m, part);
+		Error error(ErrorCode::EmptyLabel);
+		EXPECT_NE(Refusal(m, on, view, options, &error), "no error") << height;
+		EXPECT_EQ(Refusal(m, beside, view, options, &error), "no error") << height;
+	}
+}
+
 }  // namespace
