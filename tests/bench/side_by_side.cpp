@@ -16,10 +16,10 @@
 
 #include "bench_part.h"
 #include "bench_solid.h"
+#include "bench_text.h"
 #include "ours.h"
 #include "peer.h"
 #include "side_by_side_table.h"
-#include "stages.h"
 
 #include <cstdlib>
 #include <functional>

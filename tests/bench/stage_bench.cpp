@@ -95,11 +95,9 @@ void Register()
 		for (const int triangles : {10000, 100000, 1000000, 10000000}) {
 			const auto add = [&](const std::string& name, const Stage& stage, bool changesMesh) {
 				const std::string full = name + text + "/" + std::to_string(triangles);
-				benchmark::RegisterBenchmark(
-					full.c_str(),
-					[=](benchmark::State& state) { RunStage(state, triangles, isLong, stage, changesMesh); })
-					->Unit(benchmark::kMillisecond)
-					;
+				benchmark::RegisterBenchmark(full.c_str(), [=](benchmark::State& state) {
+					RunStage(state, triangles, isLong, stage, changesMesh);
+				})->Unit(benchmark::kMillisecond);
 			};
 			for (const auto& [name, stage] : reading) add(name, stage, false);
 			for (const auto& [name, stage] : writing) add(name, stage, true);

@@ -4,24 +4,12 @@
 
 #include "bench_mesh.h"
 #include "bench_part.h"
-#include "text_outline.h"
+#include "bench_text.h"
 #include "vcg_ext/text_label.h"
 
 namespace bench {
 
 using vcg::textlabel::Outline;
-
-/// Large letters for a short text; a long one as wide as the part takes it.
-inline textlabel::TextOptions TextSize(const std::string& text)
-{
-	constexpr size_t few = 6;
-	constexpr double size = 10, width = 76;  // units
-	textlabel::TextOptions options;
-	options.font = TEXTLABEL_SOURCE_DIR "/filter_textlabel/fonts/DejaVuSans-Bold.ttf";
-	options.size = size;
-	if (text.size() > few) options.fitWidth = width;
-	return options;
-}
 
 /// A part, a label, and what each stage makes of them.
 class Stages {
