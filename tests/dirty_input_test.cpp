@@ -218,6 +218,7 @@ std::vector<Row> Rows()
 		{"ShellThatCrossesUnder", WithBox(plate, {-2, 0.5, 1}, 2), ErrorCode::Occluded},
 		{"BubbleDeepUnder", WithBubble(plate, {0, 0, -2}, 1.5)},
 		{"BubbleJustUnder", WithBubble(plate, {-2, 0, -0.5}, 1.5), kMade, ErrorCode::HitsSurface, kMade},
+		{"SamePlateTwice", plate.joined(plate), ErrorCode::Occluded},
 		{"UnusedVertices", WithUnusedVertices(plate)},
 	};
 }
@@ -310,6 +311,33 @@ TEST(DirtyInput, DeletedFaces)
 		Allocator::DeleteFace(m, m.face[FaceAt(plate, spot)]);
 		Decide(m, kDepth, expected);
 		EXPECT_TRUE(m.face[FaceAt(plate, spot)].IsD());
+	}
+}
+
+class PaintedVertex;
+class PaintedFace;
+struct PaintedTypes : vcg::UsedTypes<vcg::Use<PaintedVertex>::AsVertexType, vcg::Use<PaintedFace>::AsFaceType> {};
+class PaintedVertex
+	: public vcg::Vertex<PaintedTypes, vcg::vertex::Coord3f, vcg::vertex::Normal3f, vcg::vertex::BitFlags> {};
+class PaintedFace : public vcg::Face<PaintedTypes, vcg::face::VertexRef, vcg::face::Normal3f, vcg::face::BitFlags,
+                                     vcg::face::Color4b> {};
+class PaintedMesh : public vcg::tri::TriMesh<std::vector<PaintedVertex>, std::vector<PaintedFace>> {};
+
+// A cap is flipped away; it had no area to show its colour on, so its pieces take that of the face that gives way.
+TEST(DirtyInputColours, ACapUnderTheLabelSmearsNone)
+{
+	const vcg::Color4b green(10, 200, 30, 255), red(250, 0, 0, 255);
+	for (const double height : {kDepth, -kDepth, 0.0}) {
+		PaintedMesh m;
+		test_mesh::Fill(m, Collinear(Plate(), kUnder));
+		for (auto& f : m.face) f.C() = green;
+		m.face.back().C() = red;  // the cap
+		LabelOptions options;
+		options.height = height;
+		LabelMesh(m, Letters(), FromAbove(), options);
+		int wrong = 0;
+		for (const auto& f : m.face) wrong += vcg::DoubleArea(f) > 1e-6 && f.cC() != green;
+		EXPECT_EQ(wrong, 0) << height;
 	}
 }
 

@@ -194,6 +194,8 @@ inline bool FlipCaps(Sheet& sheet, const std::vector<int>& triangles, double thi
 		sheet.triangles[size_t(t)].vertex = {a, d, c};
 		sheet.triangles[size_t(g / 3)].vertex = {d, b, c};
 		sheet.triangles[size_t(t)].facing = true;
+		sheet.triangles[size_t(t)].birth =
+			sheet.triangles[size_t(g / 3)].birthFace();  // the cap had no area to show its own
 		for (const int changed : {t, g / 3})
 			sheet.flipped.insert(std::lower_bound(sheet.flipped.begin(), sheet.flipped.end(), changed), changed);
 		detail::PairHalfEdges(sheet);

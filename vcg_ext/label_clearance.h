@@ -180,8 +180,10 @@ inline Clearance MeasureClearance(const LabelSpace& space, const Sheet& sheet, c
 				least = depth;
 				place = q;
 			}
-			if (least + most < 0)
-				throw Error(ErrorCode::Occluded, "a surface in front of the label")
+			const bool coincides = std::max(std::abs(least), std::abs(most)) <= resolution;
+			if (least + most < 0 || coincides)
+				throw Error(ErrorCode::Occluded,
+				            coincides ? "another surface in the same place" : "a surface in front of the label")
 					.atFace(sheet.triangles[size_t(t)].face)
 					.atPlace(space.toMesh(place));
 			if (least < clearance.behind)

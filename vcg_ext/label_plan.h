@@ -289,7 +289,7 @@ inline void LabelPlanner::checkRoom(LabelPlan& plan) const
 {
 	constexpr double margin = 2;  // of snap: what must stay of a wall
 	const bool isSunk = options_.along == ExtrudeAlong::Viewpoint && options_.height < 0;
-	const double needed = isSunk ? -options_.height + margin * snap_ : 0;
+	const double needed = (isSunk ? -options_.height : 0) + margin * snap_;
 	const double within = options_.measureRoom ? std::numeric_limits<double>::infinity() : needed;
 	const Clearance clearance = MeasureClearance(space_, sheet_, plan.cut, snap_, layer_, within);
 	plan.room = clearance.behind;

@@ -119,7 +119,7 @@ CommitResult CommitPatch(MeshType& m, const LabelSpace& space, const Sheet& shee
 	guests.insert(guests.end(), owners.begin(), owners.end());  // owners overwrite their birth face, so they go last
 	for (const size_t i : guests) {
 		const PatchFace& f = patch.faces[i];
-		const FaceType& birth = m.face[size_t(sheet.triangles[size_t(f.parent)].face)];
+		const FaceType& birth = m.face[size_t(sheet.triangles[size_t(f.parent)].birthFace())];
 		FaceType& to = m.face[size_t(result.faces[i])];
 		if (&to != &birth) to.ImportData(birth);
 		const auto wedge = wedges ? detail::WedgesOf(birth) : decltype(detail::WedgesOf(birth)){};

@@ -72,6 +72,9 @@ struct SheetTriangle {
 	std::array<int, 3> vertex;  ///< indices into Sheet::vertices
 	int face = -1;              ///< index in the mesh
 	bool facing = false;        ///< counter-clockwise in the label plane (exact)
+	int birth = -1;             ///< index of the face whose attributes it has, when that is another one
+
+	int birthFace() const { return birth < 0 ? face : birth; }
 };
 
 enum HalfEdgeKind : int { BorderEdge = -1, NonManifoldEdge = -2 };
@@ -89,7 +92,7 @@ struct Sheet {
 	std::vector<int> twin;                    ///< #T*3: the half-edge on the other side, or a HalfEdgeKind
 	std::vector<int> vertexStart, vertexFan;  ///< CSR: candidates around each vertex
 	PlaneBox box;                             ///< what they were collected for: nothing else of the mesh meets it
-	bool mayFlip = true;                      ///< false when faces carry attributes that a flipped edge would smear
+	bool mayFlip = true;                      ///< false when faces carry a texture, which a flipped edge would smear
 	std::vector<int> flipped;                 ///< triangles changed by FlipCaps (cut_repair.h), ascending
 	double largestCoordinate = 0;             ///< of the candidates' mesh coordinates, in absolute value
 	double extent = 0;                        ///< world units: diagonal of the box of all finite vertices of the mesh
@@ -247,14 +250,13 @@ FoundTriangles FindTriangles(const MeshType& m, const std::vector<std::uint8_t>&
 		const std::uint8_t a = code[size_t(v[0])], b = code[size_t(v[1])], c = code[size_t(v[2])];
 		found.isEmpty = found.isEmpty && !(isFinite(a) && isFinite(b) && isFinite(c));
 		if ((a | b | c) & Unusable) {
-			if (((a | b | c) & BehindCamera) && !(a & b & c & BehindCamera))
-				found.straddling.push_back({v, int(f), false});
+			if (((a | b | c) & BehindCamera) && !(a & b & c & BehindCamera)) found.straddling.push_back({v, int(f)});
 			continue;
 		}
 		if (a & b & c) continue;
 		if (v[0] == v[1] || v[1] == v[2] || v[2] == v[0]) continue;  // a line: its edges pair with each other
 		if (mirrors) std::swap(v[1], v[2]);
-		found.triangles.push_back({v, int(f), false});
+		found.triangles.push_back({v, int(f)});
 	}
 	return found;
 }
@@ -325,7 +327,7 @@ Sheet CollectSheet(const MeshType& m, const LabelSpace& space, const PlaneBox& b
 {
 	Sheet sheet;
 	sheet.box = box;
-	sheet.mayFlip = !vcg::tri::HasPerWedgeTexCoord(m) && !vcg::tri::HasPerFaceColor(m);
+	sheet.mayFlip = !vcg::tri::HasPerWedgeTexCoord(m);
 	std::vector<std::uint8_t> code = detail::CodeVertices(m, space, box, sheet);
 	detail::CollectTriangles(m, space, code, sheet);
 	detail::CollectVertices(m, space, code, sheet);
