@@ -419,34 +419,4 @@ TEST(Refusal, FoldsInAGroove)
 	ExpectSameKind(before, m);
 }
 
-TEST(Refusal, CancelledAtEveryReport)
-{
-	const auto run = [](int stopAt, std::vector<int>* seen) {
-		FloatMesh m;
-		test_mesh::Fill(m, Plate());
-		LabelOptions options;
-		options.height = 1;
-		options.progress = [&, stopAt](int percent) {
-			seen->push_back(percent);
-			return int(seen->size()) != stopAt;
-		};
-		if (stopAt == 0) {
-			LabelMesh(m, ThreeLetters(), FromAbove(), options);
-		} else {
-			EXPECT_CODE(RefusedMesh(m, ThreeLetters(), FromAbove(), options), Cancelled);
-		}
-	};
-	std::vector<int> all;
-	run(0, &all);
-	ASSERT_FALSE(all.empty());
-	EXPECT_TRUE(std::is_sorted(all.begin(), all.end()));
-	EXPECT_GE(all.front(), 0);
-	EXPECT_LE(all.back(), 100);
-	for (int stop = 1; stop <= int(all.size()); ++stop) {
-		std::vector<int> seen;
-		run(stop, &seen);
-		EXPECT_EQ(int(seen.size()), stop) << "went on after the stop";
-	}
-}
-
 }  // namespace
