@@ -9,6 +9,7 @@
 #include <fstream>
 #include <map>
 #include <string>
+#include <unistd.h>
 
 #include "oracle_mesh_file.h"
 #include "test_mesh.h"
@@ -173,5 +174,43 @@ inline std::string CgalFault(const Answer& before, const Answer& after)
 			fault = std::string("no longer ") + key;
 	return fault;
 }
+
+/// Both of them on one part before and after. A shape in doubles is not for admesh, whose files are float32.
+class OtherJudges {
+public:
+	/// @param[in] programs  folder of the program oracle_cgal
+	OtherJudges(const Shape& before, bool isFloat, const std::string& programs)
+		: programs_(programs),
+		  work_(std::filesystem::temp_directory_path() / ("other_judges-" + std::to_string(getpid())))
+	{
+		std::filesystem::create_directories(work_);
+		before_ = ask(before, isFloat);
+	}
+	~OtherJudges() { std::filesystem::remove_all(work_); }
+	OtherJudges(const OtherJudges&) = delete;
+	OtherJudges& operator=(const OtherJudges&) = delete;
+
+	/// @return what is wrong, or empty
+	std::string fault(const Shape& after, bool isFloat) const
+	{
+		const auto answer = ask(after, isFloat);
+		const std::string admesh = isFloat ? AdmeshFault(before_[0], answer[0]) : "";
+		if (!admesh.empty()) return "admesh: " + admesh;
+		const std::string cgal = CgalFault(before_[1], answer[1]);
+		return cgal.empty() ? "" : "CGAL: " + cgal;
+	}
+
+private:
+	std::array<Answer, 2> ask(const Shape& shape, bool isFloat) const
+	{
+		const std::string file = (work_ / (isFloat ? "part.stl" : "part.ply")).string();
+		isFloat ? WriteStl(shape, file) : WritePly(shape, file);
+		return {isFloat ? AskAdmesh(file) : Answer(), AskCgal(programs_, file)};
+	}
+
+	std::string programs_;
+	std::filesystem::path work_;
+	std::array<Answer, 2> before_;
+};
 
 }  // namespace real_mesh

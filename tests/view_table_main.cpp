@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <chrono>
 #include <iostream>
-#include <unistd.h>
 
 #include "view_label.h"
 
@@ -52,41 +51,6 @@ std::string InWords(const std::map<std::string, int>& reasons)
 	return words;
 }
 
-/// The other judges, before and after.
-class Oracles {
-public:
-	Oracles(const Part& part, const std::string& programs)
-		: programs_(programs),
-		  work_(std::filesystem::temp_directory_path() / ("view_table-" + std::to_string(getpid())))
-	{
-		std::filesystem::create_directories(work_);
-		before_ = ask(part.shape, part.isFloat);
-	}
-	~Oracles() { std::filesystem::remove_all(work_); }
-
-	/// @return what is wrong, or empty
-	std::string judge(const Shape& shape, bool isFloat) const
-	{
-		const auto after = ask(shape, isFloat);
-		const std::string fault = isFloat ? AdmeshFault(before_[0], after[0]) : "";
-		if (!fault.empty()) return "admesh: " + fault;
-		const std::string other = CgalFault(before_[1], after[1]);
-		return other.empty() ? "" : "CGAL: " + other;
-	}
-
-private:
-	std::array<Answer, 2> ask(const Shape& shape, bool isFloat) const
-	{
-		const std::string file = (work_ / (isFloat ? "part.stl" : "part.ply")).string();
-		isFloat ? WriteStl(shape, file) : WritePly(shape, file);
-		return {isFloat ? AskAdmesh(file) : Answer(), AskCgal(programs_, file)};
-	}
-
-	std::string programs_;
-	std::filesystem::path work_;
-	std::array<Answer, 2> before_;
-};
-
 class TableMaker {
 public:
 	TableMaker(const Arguments& a, const std::string& programs) : arguments_(a), programs_(programs)
@@ -97,8 +61,8 @@ public:
 	void run(const std::filesystem::path& file)
 	{
 		const Part part(file);
-		std::optional<Oracles> oracles;
-		if (!arguments_.quick) oracles.emplace(part, programs_);
+		std::optional<OtherJudges> judges;
+		if (!arguments_.quick) judges.emplace(part.shape, part.isFloat, programs_);
 		Tally tally;
 		const std::vector<Point3d> directions = ViewDirections();
 		for (size_t d = 0; d < directions.size(); ++d)
@@ -109,7 +73,7 @@ public:
 					request.text = text;
 					const std::string name = part.name + "\t" + std::to_string(d) + "\t" +
 					                         textlabel::ChoiceNames(style)[size_t(style)] + "\t" + text;
-					tally.add(label(part, request, name, oracles));
+					tally.add(label(part, request, name, judges));
 				}
 		printRow(part.name + (part.isFloat ? "" : " (in doubles)"), tally);
 		all_.add(tally);
@@ -124,7 +88,7 @@ public:
 
 private:
 	Tally label(const Part& part, const textlabel::LabelRequest& request, const std::string& name,
-	            const std::optional<Oracles>& oracles)
+	            const std::optional<OtherJudges>& judges)
 	{
 		Tally t;
 		t.labels = 1;
@@ -136,8 +100,8 @@ private:
 		(first.isMade ? t.third : label.isMade ? t.smaller : t.refused) = 1;
 		if (!first.isMade) t.thirdReasons[first.reason] = 1;
 		if (!label.isMade) t.reasons[label.reason] = 1;
-		if (label.isMade && label.fault.empty() && oracles)
-			label.fault = oracles->judge(label.shape, label.survivesFloat32 && part.isFloat);
+		if (label.isMade && label.fault.empty() && judges)
+			label.fault = judges->fault(label.shape, label.survivesFloat32 && part.isFloat);
 		t.faults = !label.fault.empty();
 		if (t.faults > 0) keep(label, name);
 		if (log_.is_open())
