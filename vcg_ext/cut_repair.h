@@ -27,6 +27,17 @@ bool FlipCaps(Sheet& sheet, const std::vector<int>& triangles, double thinnest);
 
 namespace detail {
 
+/// Whether every face of the mesh around a vertex is a candidate: then its neighbours are known.
+inline bool IsFanWhole(const Sheet& sheet, int v)
+{
+	for (int i = sheet.vertexStart[size_t(v)]; i < sheet.vertexStart[size_t(v) + 1]; ++i) {
+		const int t = sheet.vertexFan[size_t(i)];
+		for (int h = 3 * t; h < 3 * t + 3; ++h)
+			if (sheet.twin[size_t(h)] < 0 && (sheet.from(h) == v || sheet.to(h) == v)) return false;
+	}
+	return true;
+}
+
 /// One cut, while its short edges are collapsed.
 class EdgeCollapser {
 public:
@@ -183,6 +194,7 @@ inline bool FlipCaps(Sheet& sheet, const std::vector<int>& triangles, double thi
 		const double length = along.Norm(), height = (along ^ (at(c) - at(a))).Norm() / length,
 					 foot = along * (at(c) - at(a)) / length;
 		if (!(height < thinnest && foot > thinnest && foot < length - thinnest) || c == d) continue;
+		if (!detail::IsFanWhole(sheet, c) && !detail::IsFanWhole(sheet, d)) continue;
 		const auto facing = [&](int p, int q, int r) {
 			return Orient2d(sheet.plane(p), sheet.plane(q), sheet.plane(r)) > 0;
 		};

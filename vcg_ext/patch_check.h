@@ -39,6 +39,7 @@ std::vector<vcg::Point3d> RoundedPositions(const Sheet& sheet, const LabelPatch&
 /// Check a patch on rounded coordinates.
 /// @param[in] position  as RoundedPositions gives them
 /// @param[in] suspects  what to look at; all by default
+/// @throws Error{NonManifold} where the part touches itself in a vertex that moves
 PatchVerdict CheckPatch(const LabelSpace& space, const Sheet& sheet, const LabelPatch& patch,
                         const std::vector<vcg::Point3d>& position, const Suspects& suspects = {});
 
@@ -95,6 +96,17 @@ inline std::vector<char> MarkVertices(const Sheet& sheet, const LabelPatch& patc
 		for (const int v : patch.faces[f].vertex)
 			if (suspects.face[f]) ofSuspects[size_t(v)] = marked[size_t(v)];
 	return ofSuspects;
+}
+
+/// A vertex that moves with a letter must not lie where another one stays: two sheets that touch there would come apart.
+inline void RequireOwnPlaces(const Sheet& sheet, const LabelPatch& patch)
+{
+	std::vector<char> moves(sheet.vertices.size(), 0);
+	for (const auto& moved : patch.moved) moves[size_t(moved.first)] = 1;
+	std::vector<vcg::Point3d> place;
+	for (const SheetVertex& v : sheet.vertices) place.push_back(v.mesh);
+	const int shared = FindMerged(place, moves);
+	if (shared >= 0) throw Error(ErrorCode::NonManifold, "two sheets touch in a vertex").atPlace(place[size_t(shared)]);
 }
 
 /// Whether a piece of a cut triangle has kept its orientation.
@@ -258,6 +270,7 @@ inline PatchVerdict CheckPatch(const LabelSpace& space, const Sheet& sheet, cons
                                const std::vector<vcg::Point3d>& position, const Suspects& suspects)
 {
 	if (suspects.none()) return {};
+	detail::RequireOwnPlaces(sheet, patch);
 	const int merged = detail::FindMerged(position, detail::MarkVertices(sheet, patch, suspects));
 	if (merged >= 0) return {PatchFault::Merged, position[size_t(merged)]};
 	for (size_t i = 0; i < patch.faces.size(); ++i) {
