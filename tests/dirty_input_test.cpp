@@ -250,16 +250,17 @@ MeshReport ReportOf(const Shape& s)
 }
 
 /// No more faults than before, and the raised faces cross nothing.
-void ExpectNoWorse(const Shape& before, const Shape& after, const LabelResult& result)
+void ExpectNoWorse(const Shape& before, const FloatMesh& m, const LabelResult& result)
 {
-	const auto a = FaultsOf(ReportOf(before)), b = FaultsOf(ReportOf(after));
+	const auto a = FaultsOf(ReportOf(before)), b = FaultsOf(ReportOf(test_mesh::ToShape(m)));
 	for (size_t i = 0; i < a.size(); ++i) EXPECT_LE(b[i].second, a[i].second) << a[i].first;
-	std::vector<char> isRaised(after.faces.size(), 0);
+	std::vector<char> isRaised(m.face.size(), 0);
 	for (const int f : result.wallFaces) isRaised[size_t(f)] = 1;
 	for (const int f : result.topFaces) isRaised[size_t(f)] = !result.wallFaces.empty();
 	std::vector<Corners> raised, others;
-	for (size_t f = 0; f < after.faces.size(); ++f) {
-		const auto at = [&](size_t k) { return after.points[size_t(after.faces[f][k])]; };
+	for (size_t f = 0; f < m.face.size(); ++f) {
+		if (m.face[f].IsD()) continue;
+		const auto at = [&](int k) { return Point3d::Construct(m.face[f].cP(k)); };
 		(isRaised[f] ? raised : others).push_back({at(0), at(1), at(2)});
 	}
 	EXPECT_EQ(FindCrossings(raised, others).size(), 0u);
@@ -278,7 +279,7 @@ void Decide(FloatMesh& m, double height, const Code& expected)
 	try {
 		const LabelResult result = LabelMesh(m, Letters(), FromAbove(), options);
 		EXPECT_EQ("made", InWords(expected));
-		ExpectNoWorse(before, test_mesh::ToShape(m), result);
+		ExpectNoWorse(before, m, result);
 		EXPECT_NEAR(result.addedVolume, Area(Letters()) * height, 1e-4);
 	} catch (const Error& e) {
 		EXPECT_EQ(InWords(e.code), InWords(expected)) << e.what();

@@ -1,5 +1,6 @@
 // The same input gives the same bytes: again in one process, in another process, and on any number of threads.
 
+#define TEXTLABEL_LEAST_CHUNK 1000
 #include "vcg_ext/text_label.h"
 
 #include <cstdio>
@@ -24,7 +25,7 @@ using namespace label_check;
 using test_mesh::RichMesh;
 using test_mesh::Shape;
 
-/// A wavy slab; with 420 x 210 squares it has 354 000 triangles, enough for seven threads.
+/// A wavy slab.
 Shape Waves(int nx, int ny)
 {
 	const Shape top = test_mesh::Sheet(nx, ny, [=](int i, int j) {
@@ -57,14 +58,13 @@ size_t LabelHash(const Shape& shape, unsigned threads, double height, bool persp
 
 TEST(SameBytes, OnAnyNumberOfThreads)
 {
-	const Shape shape = Waves(420, 210);
-	ASSERT_GT(shape.faces.size(), 350000u);
+	const Shape shape = Waves(60, 30);
 	for (const double height : {0.8, 0.0})
 		for (const bool perspective : {false, true}) {
 			const size_t alone = LabelHash(shape, 1, height, perspective);
 			for (const unsigned threads : {2u, 3u, 7u}) {
 				EXPECT_EQ(LabelHash(shape, threads, height, perspective), alone) << threads << " threads";
-				ASSERT_EQ(ChunkCount(shape.faces.size()), threads);
+				ASSERT_EQ(ChunkCount(shape.faces.size()), threads) << "the mesh is too small to test so many";
 			}
 		}
 }

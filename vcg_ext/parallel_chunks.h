@@ -8,6 +8,12 @@
 #include <exception>
 #include <thread>
 
+/// The fewest elements that a chunk is worth starting a thread for. To be defined smaller only by tests, which then see many
+/// chunks on a small mesh.
+#ifndef TEXTLABEL_LEAST_CHUNK
+#define TEXTLABEL_LEAST_CHUNK 150000
+#endif
+
 namespace vcg::textlabel {
 
 constexpr size_t kMostChunks = 16;
@@ -16,9 +22,8 @@ constexpr size_t kMostChunks = 16;
 /// and more where the other cores are busy.
 inline size_t ChunkCount(size_t count)
 {
-	constexpr size_t least = 150000;
 	const size_t cores = std::max(1u, std::thread::hardware_concurrency());
-	return std::clamp<size_t>(count / least, 1, std::min(cores, kMostChunks));
+	return std::clamp<size_t>(count / TEXTLABEL_LEAST_CHUNK, 1, std::min(cores, kMostChunks));
 }
 
 /// Call work(chunk, first, last) for each of `chunks` ranges of 0 .. count-1, at the same time where threads can be had.
