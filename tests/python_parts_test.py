@@ -1,14 +1,51 @@
-"""The five parts by PyMeshLab and by meshlabserver: the same triangles, and numbers that the saved files bear out."""
+"""The five parts by PyMeshLab and by meshlabserver: the same triangles, and numbers that the saved files bear out.
+
+The same triangles also by the calls that MeshLab's dialog copies to the clipboard.
+"""
 
 import csv
 import os
 import shutil
 import subprocess
 import unittest
+import unittest.mock
 
-from python_support import MESHES, SOURCE, InFolder, euler, np, pymeshlab, read_stl, surface_faults, volume
+from python_support import MESHES, PLUGIN, SOURCE, InFolder, euler, np, pymeshlab, read_stl, surface_faults, volume
 
 import textlabel
+
+# Calls as MeshLab 2025.07 copies them, and their values by hand: choices by name, points as lists.
+COPIED = [
+    ("ms.apply_text_label(text = 'B7')", {"text": "B7"}),
+    (
+        "ms.apply_text_label(text = 'B7', size = 6.500000, style = 1, placement = 2, "
+        "position = numpy.array([0.000000, -20.000000, 8.000000]))",
+        {
+            "text": "B7",
+            "size": 6.5,
+            "style": "Engrave",
+            "placement": "Point and direction",
+            "position": [0, -20, 8],
+        },
+    ),
+    (
+        "ms.apply_text_label(text = 'B7', size = 6.500000, placement = 2, "
+        "position = numpy.array([0.000000, -20.000000, 8.000000]), up = numpy.array([-1.000000, 2.000000, 0.000000]), "
+        "align = 0, mirrored = True, language = 'de', tint = True, color = pymeshlab.Color(0, 87, 184, 255))",
+        {
+            "text": "B7",
+            "size": 6.5,
+            "placement": "Point and direction",
+            "position": [0, -20, 8],
+            "up": [-1, 2, 0],
+            "align": "Left",
+            "mirrored": True,
+            "language": "de",
+            "tint": True,
+            "color": pymeshlab.Color(0, 87, 184, 255),
+        },
+    ),
+]
 
 
 def rows():
@@ -139,6 +176,50 @@ class Parts(InFolder):
         areas = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1) / 2
         inside = np.array([color == [230, 60, 20] for color in painted])
         self.assertAlmostEqual(float(areas[inside].sum()), flat["label_area"], delta=1e-3)
+
+
+class CopiedCalls(unittest.TestCase):
+    def bracket(self):
+        meshes = pymeshlab.MeshSet()
+        meshes.load_new_mesh(str(MESHES / "bracket.stl"))
+        return meshes, meshes.current_mesh().face_number()
+
+    def test_same_as_apply_filter(self):
+        for call, values in COPIED:
+            with self.subTest(call):
+                (ours, before), (theirs, _) = self.bracket(), self.bracket()
+                report = eval(call, {"ms": ours, "numpy": np, "pymeshlab": pymeshlab})
+                expected = theirs.apply_filter(textlabel.FILTER, **values)
+                mesh, other = ours.current_mesh(), theirs.current_mesh()
+                self.assertEqual(mesh.face_number(), before + report["triangles_added"])
+                np.testing.assert_array_equal(mesh.vertex_matrix(), other.vertex_matrix())
+                np.testing.assert_array_equal(mesh.face_matrix(), other.face_matrix())
+                self.assertEqual(mesh.has_face_color(), other.has_face_color())
+                if mesh.has_face_color():
+                    np.testing.assert_array_equal(mesh.face_color_matrix(), other.face_color_matrix())
+                for name in report.keys() - {"milliseconds"}:
+                    np.testing.assert_array_equal(report[name], expected[name], name)
+                self.assertEqual(report.keys(), expected.keys())
+                # On a plane, all three: a prism over the letters.
+                grown = report["volume_after"] - report["volume_before"]
+                self.assertAlmostEqual(grown, report["depth"] * report["label_area"], delta=1e-3)
+                self.assertEqual(report["depth"] < 0, values.get("style") == "Engrave")
+
+    def test_method_is_bound_once(self):
+        with unittest.mock.patch.object(pymeshlab.MeshSet, textlabel.FILTER):
+            delattr(pymeshlab.MeshSet, textlabel.FILTER)  # as after pymeshlab.load_plugin alone
+            self.assertFalse(hasattr(pymeshlab.MeshSet, textlabel.FILTER))
+            textlabel.load_plugin()
+            method = getattr(pymeshlab.MeshSet, textlabel.FILTER)
+            for path in (None, PLUGIN):
+                textlabel.load_plugin(path)
+                self.assertIs(getattr(pymeshlab.MeshSet, textlabel.FILTER), method)
+            self.assertEqual(pymeshlab.filter_list().count(textlabel.FILTER), 1)
+
+    def test_method_of_pymeshlab_is_left_alone(self):
+        with unittest.mock.patch.object(pymeshlab.MeshSet, textlabel.FILTER) as theirs:
+            textlabel.load_plugin()
+            self.assertIs(getattr(pymeshlab.MeshSet, textlabel.FILTER), theirs)
 
 
 if __name__ == "__main__":

@@ -40,14 +40,19 @@ def plugin_path():
 
 
 def load_plugin(path=None):
-    """Make the filter known to PyMeshLab. Does nothing when it is known already.
+    """Make the filter known to PyMeshLab, also as a method: ms.apply_text_label(text="A43").
 
+    Does nothing when both are there already.
     path: the plugin's file; None: where plugin_path() finds it.
     Raises LabelError when the plugin is missing or made for another PyMeshLab.
     """
-    if FILTER in pymeshlab.filter_list():
-        return
-    path = pathlib.Path(path) if path is not None else plugin_path()
+    if FILTER not in pymeshlab.filter_list():
+        _load(pathlib.Path(path) if path is not None else plugin_path())
+    if not hasattr(pymeshlab.MeshSet, FILTER):
+        setattr(pymeshlab.MeshSet, FILTER, _method)
+
+
+def _load(path):
     try:
         pymeshlab.load_plugin(str(path))
     except pymeshlab.PyMeshLabException as error:
@@ -55,6 +60,18 @@ def load_plugin(path=None):
             f"PyMeshLab cannot load the plugin {path}: {error} Build it for the PyMeshLab that is installed: "
             "'filter_textlabel/build.sh pymeshlab'."
         ) from error
+
+
+def _method(self, **values):
+    """The filter with these values, which go to apply_filter() as they are; see textlabel.defaults().
+
+    PyMeshLab makes methods of its own filters only, when it is imported; MeshLab's "Copy PyMeshLab call to clipboard"
+    counts on one for every filter.
+    """
+    return self.apply_filter(FILTER, **values)
+
+
+_method.__name__ = _method.__qualname__ = FILTER
 
 
 _defaults = {}
