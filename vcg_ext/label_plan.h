@@ -13,6 +13,7 @@
 #include "label_seed.h"
 #include "patch_check.h"
 #include "rounding.h"
+#include "swept_volume.h"
 
 #include <functional>
 
@@ -309,7 +310,8 @@ inline PatchVerdict LabelPlanner::check(const LabelPatch& patch, double height) 
 	                        (options_.along == ExtrudeAlong::LabelNormal && !space_.perspective());
 	Suspects suspects;
 	if (isStraight && isRepresentable_) suspects = FindSuspects(space_, sheet_, layer_, patch, position, height, snap_);
-	return CheckPatch(space_, sheet_, patch, position, suspects);
+	const PatchVerdict verdict = CheckPatch(space_, sheet_, patch, position, suspects);
+	return isStraight || verdict.fault != PatchFault::Sound ? verdict : CheckSweptVolume(sheet_, patch, position);
 }
 
 /// Find the largest height that works, for the message.
