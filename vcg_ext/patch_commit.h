@@ -45,7 +45,7 @@ void MixVertex(MeshType& m, const Sheet& sheet, const PatchVertex& from, typenam
 	if (vcg::tri::HasPerVertexColor(m))
 		for (int i = 0; i < 4; ++i)
 			to.C()[i] = static_cast<unsigned char>(
-				std::clamp(std::lround(Mix(a.cC()[i], b.cC()[i], c.cC()[i], from.weight)), 0L, 255L));
+				std::clamp(Mix(a.cC()[i], b.cC()[i], c.cC()[i], from.weight), 0.0, 255.0) + 0.5);
 	if (vcg::tri::HasPerVertexQuality(m))
 		to.Q() = static_cast<typename MeshType::VertexType::QualityType>(Mix(a.cQ(), b.cQ(), c.cQ(), from.weight));
 	if (vcg::tri::HasPerVertexTexCoord(m)) {

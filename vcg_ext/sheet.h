@@ -24,6 +24,7 @@
 #include <memory>
 #include <utility>
 #include <vcg/complex/complex.h>
+#include <vcg/space/box3.h>
 #include <vector>
 
 namespace vcg::textlabel {
@@ -95,7 +96,6 @@ struct Sheet {
 	bool mayFlip = true;                      ///< false when faces carry a texture, which a flipped edge would smear
 	std::vector<int> flipped;                 ///< triangles changed by FlipCaps (cut_repair.h), ascending
 	double largestCoordinate = 0;             ///< of the candidates' mesh coordinates, in absolute value
-	double extent = 0;                        ///< world units: diagonal of the box of all finite vertices of the mesh
 	bool isEmpty = true;                      ///< no face of the mesh has three finite vertices
 	std::vector<StraddlingTriangle> straddling;
 
@@ -117,17 +117,13 @@ namespace detail {
 
 enum OutCode : std::uint8_t { Left = 1, Right = 2, Below = 4, Above = 8, Unusable = 16, BehindCamera = 32, Used = 64 };
 
-/// Where a finite point of label space is seen, against a box.
+/// Where a finite point of label space is seen, against a box. Without branches: where it lies is not to be predicted.
 inline std::uint8_t OutCodeOf(const LabelSpace& space, const PlaneBox& box, const vcg::Point3d& q)
 {
 	if (!space.isInFront(q)) return Unusable | BehindCamera;
 	const vcg::Point2d p = space.project(q);
-	return std::uint8_t((p[0] < box.low[0]    ? Left
-	                     : p[0] > box.high[0] ? Right
-	                                          : 0) |
-	                    (p[1] < box.low[1]    ? Below
-	                     : p[1] > box.high[1] ? Above
-	                                          : 0));
+	return std::uint8_t(Left * (p[0] < box.low[0]) | Right * (p[0] > box.high[0]) | Below * (p[1] < box.low[1]) |
+	                    Above * (p[1] > box.high[1]));
 }
 
 /// Pair the half-edges of the candidates: two that run against each other are twins, one alone is a border, the rest is
@@ -186,45 +182,21 @@ vcg::Point3d PointOf(const MeshType& m, size_t vertex)
 	return {double(p[0]), double(p[1]), double(p[2])};
 }
 
-/// A box in label space.
-struct SpaceBox {
-	vcg::Point3d low{0, 0, 0}, high{0, 0, 0};
-	bool isEmpty = true;
-
-	void add(const vcg::Point3d& p)
-	{
-		if (std::exchange(isEmpty, false)) low = high = p;
-		for (int i = 0; i < 3; ++i) {
-			low[i] = std::min(low[i], p[i]);
-			high[i] = std::max(high[i], p[i]);
-		}
-	}
-};
-
-/// One pass over the vertices: where each is seen, and the extent of them all.
+/// One pass over the vertices: where each is seen.
 template <class MeshType>
-std::vector<std::uint8_t> CodeVertices(const MeshType& m, const LabelSpace& space, const PlaneBox& box, Sheet& sheet)
+std::vector<std::uint8_t> CodeVertices(const MeshType& m, const LabelSpace& space, const PlaneBox& box)
 {
 	std::vector<std::uint8_t> code(m.vert.size(), Unusable);
-	std::vector<SpaceBox> extents(ChunkCount(m.vert.size()));
-	EachChunk(m.vert.size(), extents.size(), [&](size_t chunk, size_t first, size_t last) {
-		SpaceBox extent;
+	EachChunk(m.vert.size(), ChunkCount(m.vert.size()), [&](size_t, size_t first, size_t last) {
+		const LabelSpace here = space;  // copies that nothing else can change stay in registers
+		const PlaneBox window = box;
+		std::uint8_t* const to = code.data();
 		for (size_t v = first; v < last; ++v) {
 			if (m.vert[v].IsD()) continue;
-			const vcg::Point3d q = space.toLabel(PointOf(m, v));
-			if (!IsFinite(q)) continue;
-			code[v] = OutCodeOf(space, box, q);
-			extent.add(q);
+			const vcg::Point3d q = here.toLabel(PointOf(m, v));
+			if (std::isfinite(q[0] + q[1] + q[2])) to[v] = OutCodeOf(here, window, q);
 		}
-		extents[chunk] = extent;
 	});
-	SpaceBox all;
-	for (const SpaceBox& extent : extents) {
-		if (extent.isEmpty) continue;
-		all.add(extent.low);
-		all.add(extent.high);
-	}
-	sheet.extent = all.isEmpty ? 0 : (all.high - all.low).Norm();
 	return code;
 }
 
@@ -237,27 +209,34 @@ struct FoundTriangles {
 
 /// One pass over some of the faces: those that may meet the box.
 template <class MeshType>
-FoundTriangles FindTriangles(const MeshType& m, const std::vector<std::uint8_t>& code, bool mirrors, size_t begin,
+FoundTriangles FindTriangles(const MeshType& m, const std::vector<std::uint8_t>& codes, bool mirrors, size_t begin,
                              size_t end)
 {
 	FoundTriangles found;
 	const auto isFinite = [](std::uint8_t x) { return !(x & Unusable) || (x & BehindCamera); };
-	const auto* first = m.vert.data();
+	const auto* const first = m.vert.data();
+	const std::uint8_t* const code = codes.data();
+	bool anyBeside = false;
 	for (size_t f = begin; f < end; ++f) {
-		if (m.face[f].IsD()) continue;
-		std::array<int, 3> v;
-		for (int k = 0; k < 3; ++k) v[size_t(k)] = int(m.face[f].cV(k) - first);
-		const std::uint8_t a = code[size_t(v[0])], b = code[size_t(v[1])], c = code[size_t(v[2])];
+		const auto& face = m.face[f];
+		if (face.IsD()) continue;
+		const std::ptrdiff_t i = face.cV(0) - first, j = face.cV(1) - first, k = face.cV(2) - first;
+		const std::uint8_t a = code[i], b = code[j], c = code[k];
+		if (a & b & c & (Left | Right | Below | Above)) {  // nearly all: beside the box, with all corners finite
+			anyBeside = true;
+			continue;
+		}
+		std::array<int, 3> v = {int(i), int(j), int(k)};
 		found.isEmpty = found.isEmpty && !(isFinite(a) && isFinite(b) && isFinite(c));
 		if ((a | b | c) & Unusable) {
 			if (((a | b | c) & BehindCamera) && !(a & b & c & BehindCamera)) found.straddling.push_back({v, int(f)});
 			continue;
 		}
-		if (a & b & c) continue;
-		if (v[0] == v[1] || v[1] == v[2] || v[2] == v[0]) continue;  // a line: its edges pair with each other
+		if (i == j || j == k || k == i) continue;  // a line: its edges pair with each other
 		if (mirrors) std::swap(v[1], v[2]);
 		found.triangles.push_back({v, int(f)});
 	}
+	found.isEmpty = found.isEmpty && !anyBeside;
 	return found;
 }
 
@@ -328,12 +307,30 @@ Sheet CollectSheet(const MeshType& m, const LabelSpace& space, const PlaneBox& b
 	Sheet sheet;
 	sheet.box = box;
 	sheet.mayFlip = !vcg::tri::HasPerWedgeTexCoord(m);
-	std::vector<std::uint8_t> code = detail::CodeVertices(m, space, box, sheet);
+	std::vector<std::uint8_t> code = detail::CodeVertices(m, space, box);
 	detail::CollectTriangles(m, space, code, sheet);
 	detail::CollectVertices(m, space, code, sheet);
 	detail::PairHalfEdges(sheet);
 	detail::BuildVertexFans(sheet);
 	return sheet;
+}
+
+/// Whether a length is larger than the part: than the diagonal of the box of all its finite vertices, along the label's axes.
+/// That of the candidates decides for all lengths that make sense; only what exceeds it costs a pass over the mesh.
+/// @param[in] length  world units
+/// @param[out] diagonal  world units, when true
+template <class MeshType>
+bool ExceedsPart(const MeshType& m, const LabelSpace& space, const Sheet& sheet, double length, double& diagonal)
+{
+	vcg::Box3d box;
+	for (const SheetVertex& v : sheet.vertices) box.Add(v.label);
+	if (!box.IsNull() && length <= box.Diag()) return false;
+	for (size_t v = 0; v < m.vert.size(); ++v) {
+		const vcg::Point3d q = space.toLabel(detail::PointOf(m, v));
+		if (!m.vert[v].IsD() && IsFinite(q)) box.Add(q);
+	}
+	diagonal = box.IsNull() ? 0 : box.Diag();
+	return length > diagonal;
 }
 
 /// Perspective-correct weights of a triangle's corners for a point of the label plane.

@@ -35,7 +35,7 @@ public:
 
 private:
 	using GluPointer = std::unique_ptr<GLUtesselator, void (*)(GLUtesselator*)>;
-	static constexpr int mostEars = 12;  ///< corners of a ring that is not worth GLU's preparations
+	static constexpr int mostEars = 24;  ///< corners of a ring that is not worth GLU's preparations
 	void runGlu(const std::vector<vcg::Point2d>& plane, const PolylineSet& rings, int first, int count);
 	void improve(const std::vector<vcg::Point2d>& plane, const std::vector<vcg::Point3d>& space);
 	bool clipEars(const std::vector<vcg::Point2d>& plane, const std::vector<vcg::Point3d>& space, const int* ring,
@@ -46,19 +46,19 @@ private:
 	std::vector<std::array<double, 3>> coordinates_;
 	std::vector<int> corners_;
 	std::vector<IndexTriangle> triangles_;
+	std::vector<double> shape_;  ///< #triangles_, while they are improved
 	std::vector<int> twin_, pending_;
 	std::vector<int> table_;  ///< scratch: half-edges by their corners
 	bool crossed_ = false;
 };
 
-/// Shape of a triangle: height over longest edge, 0.87 for an equilateral one, negative when clockwise in the plane.
-inline double Shape(const std::vector<vcg::Point2d>& plane, const std::vector<vcg::Point3d>& space, int a, int b, int c)
+/// Shape of a triangle: the square of its height over its longest edge, 0.75 for an equilateral one.
+inline double Shape(const std::vector<vcg::Point3d>& space, int a, int b, int c)
 {
 	const vcg::Point3d &pa = space[size_t(a)], &pb = space[size_t(b)], &pc = space[size_t(c)];
-	const double longest = std::max({(pb - pa).SquaredNorm(), (pc - pb).SquaredNorm(), (pa - pc).SquaredNorm()});
-	const double area = ((pb - pa) ^ (pc - pa)).Norm();
-	const int side = Orient2d(plane[size_t(a)], plane[size_t(b)], plane[size_t(c)]);
-	return longest > 0 ? side * area / longest : 0;
+	const vcg::Point3d ab = pb - pa, bc = pc - pb, ca = pa - pc;
+	const double longest = std::max({ab.SquaredNorm(), bc.SquaredNorm(), ca.SquaredNorm()});
+	return longest > 0 ? (ab ^ ca).SquaredNorm() / (longest * longest) : 0;
 }
 
 // ---------------------------------------------------------------------------------------------------------------------------
@@ -132,37 +132,52 @@ inline void Tessellator::triangulate(const std::vector<vcg::Point2d>& plane, con
 }
 
 /// Cut ears off a small ring without holes, the best-shaped first; false when it can't be done, as with a ring that touches itself.
+/// That all triangles are counter-clockwise is proof enough: their edges cancel but for the ring, so they cover each point as often
+/// as the ring winds round it. What lies within an ear is asked only to find a way that ends.
 inline bool Tessellator::clipEars(const std::vector<vcg::Point2d>& plane, const std::vector<vcg::Point3d>& space,
                                   const int* ring, int corners)
 {
 	std::array<int, mostEars> left;
 	std::copy(ring, ring + corners, left.begin());
-	std::array<double, mostEars> shape;  // of the ear at each corner; none: 0
+	std::array<double, mostEars> shape;  // of the triangle at each corner; 0 where it is not convex
+	std::array<char, mostEars> isEar;
 	int n = corners;
-	const auto at = [&](int i) { return left[size_t((i + n) % n)]; };
+	const auto at = [&](int i) { return left[size_t(i < 0 ? i + n : i < n ? i : i - n)]; };
 	const auto side = [&](int a, int b, int c) {
 		return Orient2d(plane[size_t(a)], plane[size_t(b)], plane[size_t(c)]);
 	};
-	const auto earAt = [&](int i) {
+	const auto shapeAt = [&](int i) {
 		const int a = at(i - 1), b = at(i), c = at(i + 1);
-		const double s = Shape(plane, space, a, b, c);
-		if (!(s > 0)) return 0.0;
-		for (int k = i + 2; k < i + n - 1; ++k) {
-			const int p = at(k);
-			if (side(a, b, p) >= 0 && side(b, c, p) >= 0 && side(c, a, p) >= 0) return 0.0;
-		}
-		return s;
+		return side(a, b, c) > 0 ? Shape(space, a, b, c) : 0.0;
 	};
-	for (int i = 0; i < n; ++i) shape[size_t(i)] = earAt(i);
+	const auto isEarAt = [&](int i) {
+		if (!(shape[size_t(i)] > 0)) return false;
+		const int a = at(i - 1), b = at(i), c = at(i + 1);
+		for (int k = 0; k < n; ++k) {
+			// of the corners within a triangle, the one furthest from the cut is not convex, so only those need a look
+			const int p = left[size_t(k)];
+			const bool isConvex = shape[size_t(k)] > 0 && p != a && p != b && p != c;
+			if (k == i || k == (i + 1) % n || k == (i + n - 1) % n || isConvex) continue;
+			if (side(a, b, p) >= 0 && side(b, c, p) >= 0 && side(c, a, p) >= 0) return false;
+		}
+		return true;
+	};
+	for (int i = 0; i < n; ++i) shape[size_t(i)] = shapeAt(i);
+	for (int i = 0; i < n; ++i) isEar[size_t(i)] = isEarAt(i);
 	triangles_.clear();
 	while (n > 3) {
-		const int best = int(std::max_element(shape.begin(), shape.begin() + n) - shape.begin());
-		if (!(shape[size_t(best)] > 0)) return false;
+		int best = -1;
+		for (int i = 0; i < n; ++i)
+			if (isEar[size_t(i)] && (best < 0 || shape[size_t(i)] > shape[size_t(best)])) best = i;
+		if (best < 0) return false;
 		triangles_.push_back({at(best - 1), at(best), at(best + 1)});
 		std::copy(left.begin() + best + 1, left.begin() + n, left.begin() + best);
 		std::copy(shape.begin() + best + 1, shape.begin() + n, shape.begin() + best);
+		std::copy(isEar.begin() + best + 1, isEar.begin() + n, isEar.begin() + best);
 		--n;
-		for (const int i : {(best + n - 1) % n, best % n}) shape[size_t(i)] = earAt(i);
+		const int beside[2] = {(best + n - 1) % n, best % n};
+		for (const int i : beside) shape[size_t(i)] = shapeAt(i);
+		for (const int i : beside) isEar[size_t(i)] = isEarAt(i);
 	}
 	triangles_.push_back({left[0], left[1], left[2]});
 	return side(left[0], left[1], left[2]) > 0;
@@ -196,7 +211,8 @@ inline void Tessellator::pairEdges()
 // Flip an edge when the worse of its two triangles gets better by it. The sorted list of shapes grows with each flip, so it ends.
 inline void Tessellator::improve(const std::vector<vcg::Point2d>& plane, const std::vector<vcg::Point3d>& space)
 {
-	constexpr double gain = 1e-6;  // of the shape; below it a flip is not worth it
+	constexpr double gain =
+		1e-12;  // of the shape, a square: far more than its rounding; below it a flip is not worth it
 	pairEdges();
 	const auto next = [](int h) { return h % 3 == 2 ? h - 2 : h + 1; };
 	const auto corner = [&](int h) -> int& { return triangles_[size_t(h / 3)][size_t(h % 3)]; };
@@ -204,6 +220,12 @@ inline void Tessellator::improve(const std::vector<vcg::Point2d>& plane, const s
 		twin_[size_t(g)] = h;
 		if (h >= 0) twin_[size_t(h)] = g;
 	};
+	const auto isCounterClockwise = [&](int a, int b, int c) {
+		return Orient2d(plane[size_t(a)], plane[size_t(b)], plane[size_t(c)]) > 0;
+	};
+	shape_.clear();
+	for (const IndexTriangle& t : triangles_)
+		shape_.push_back(isCounterClockwise(t[0], t[1], t[2]) ? Shape(space, t[0], t[1], t[2]) : 0);
 	pending_.clear();
 	for (int h = 0; h < int(twin_.size()); ++h)
 		if (twin_[size_t(h)] > h) pending_.push_back(h);
@@ -215,9 +237,14 @@ inline void Tessellator::improve(const std::vector<vcg::Point2d>& plane, const s
 		//    a   b
 		//      d
 		const int a = corner(h), b = corner(g), c = corner(next(next(h))), d = corner(next(next(g)));
-		const double before = std::min(Shape(plane, space, a, b, c), Shape(plane, space, b, a, d));
-		const double after = std::min(Shape(plane, space, d, b, c), Shape(plane, space, c, a, d));
-		if (!(after > 0 && after > before + gain)) continue;
+		double &first = shape_[size_t(h / 3)], &second = shape_[size_t(g / 3)];
+		const double least = std::min(first, second) + gain;
+		const double one = Shape(space, d, b, c);
+		if (!(one > least)) continue;
+		const double two = Shape(space, c, a, d);
+		if (!(two > least) || !isCounterClockwise(d, b, c) || !isCounterClockwise(c, a, d)) continue;
+		first = one;
+		second = two;
 		const int bc = twin_[size_t(next(h))], ca = twin_[size_t(next(next(h)))], ad = twin_[size_t(next(g))],
 				  db = twin_[size_t(next(next(g)))];
 		const int t = h / 3 * 3, s = g / 3 * 3;

@@ -130,8 +130,9 @@ PlannedLabel PlanInBox(const MeshType& m, const LabelSpace& space, const Outline
 	PlannedLabel p;
 	p.sheet = CollectSheet(m, space, box);
 	if (p.sheet.isEmpty) throw Error(ErrorCode::EmptyMesh, "no face with finite corners");
-	if (std::abs(options.height) > p.sheet.extent)
-		throw Error(ErrorCode::BadHeight, "larger than the part").measured(std::abs(options.height), p.sheet.extent);
+	double diagonal = 0;
+	if (ExceedsPart(m, space, p.sheet, std::abs(options.height), diagonal))
+		throw Error(ErrorCode::BadHeight, "larger than the part").measured(std::abs(options.height), diagonal);
 	try {
 		p.plan = LabelPlanner(space, p.sheet, Precision{true}, options).plan(outline);
 	} catch (const Error& e) {

@@ -45,7 +45,11 @@ public:
 		return vcg::textlabel::LabelCutter(space_, sheet_, snap_).cut(outline_, seeds_);
 	}
 	vcg::textlabel::SheetLayer layer() const { return vcg::textlabel::FindLayer(sheet_, seeds_); }
-	double clearance() const { return vcg::textlabel::MeasureClearance(space_, sheet_, cut_, snap_, layer_).behind; }
+	/// As deep as LabelPlanner looks below letters that are raised.
+	double clearance() const
+	{
+		return vcg::textlabel::MeasureClearance(space_, sheet_, cut_, snap_, layer_, 2 * snap_).behind;
+	}
 	vcg::textlabel::LabelPatch raise() const
 	{
 		return vcg::textlabel::RaiseLabel(space_, sheet_, cut_, height_, vcg::textlabel::ExtrudeAlong::Viewpoint);
