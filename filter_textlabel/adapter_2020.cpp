@@ -40,7 +40,7 @@ bool TextLabelPlugin::applyFilter(QAction*, MeshDocument& document, const RichPa
 {
 	const auto outcome =
 		textlabel::ApplyFilter(document, list, progress, [this](const std::string& message) { Log(message); });
-	errorMessage = QString::fromStdString(outcome.message).toHtmlEscaped();  // shown in a rich text box
+	errorMessage = QString::fromStdString(outcome.message);
 	if (outcome.ok) NoteUsedView(document, outcome.report.request);
 	return outcome.ok;
 }

@@ -121,6 +121,14 @@ std::string Guarded(const Work& work)
 	}
 }
 
+/// A text as a window shows it, log and message boxes alike: as HTML, where a script's tags, or a '<' of the label, would vanish.
+std::string Shown(const std::string& text)
+{
+	if (!HasWindow()) return text;
+	const QString escaped = QString::fromStdString(text).toHtmlEscaped();
+	return "<span style=\"white-space: pre-wrap\">" + escaped.toStdString() + "</span>";
+}
+
 /// One line, so that who reads a log finds the whole message.
 void Say(std::string message, const std::function<void(const std::string&)>& log)
 {
@@ -128,7 +136,7 @@ void Say(std::string message, const std::function<void(const std::string&)>& log
 #if MESHLAB_API == 2020  // meshlabserver shows no log of a filter that refuses; later hosts pass the exception on
 	std::cerr << "Text Label: " << message << std::endl;
 #endif
-	log("Text Label: " + message);
+	log(Shown("Text Label: " + message));
 }
 
 }  // namespace
@@ -166,11 +174,12 @@ FilterOutcome ApplyFilter(MeshDocument& document, const RichParameterList& list,
 		if (!outcome.ok) return Say(outcome.message, log);
 		Say(ReportJson(outcome.report), log);
 #if MESHLAB_API == 2020
-		log(ScriptText(outcome.report.request));
+		log(Shown(ScriptText(outcome.report.request)));
 #else
-		log(PythonCall(outcome.report.request));
+		log(Shown(PythonCall(outcome.report.request)));
 #endif
 	});
+	Guarded([&](ErrorContext&) { outcome.message = Shown(outcome.message); });
 	return outcome;
 }
 

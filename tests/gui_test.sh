@@ -117,6 +117,8 @@ check() { # "WHAT" COMMAND...
 triple() { sed -n "s/.*\"$1\":\[\([^]]*\)\].*/\1/p" <<<"$report" | tr ',' ' '; }
 number() { sed -n "s/.*\"$1\":\([-+.0-9e]*\).*/\1/p" <<<"$report"; }
 
+# The window shows its log as HTML: tags that are not escaped would vanish from it.
+check "the log window shows the script" grep -q '&lt;FilterScript&gt;' errors
 check "the text in the dialog is the label's" grep -q '"text":"B7"' <<<"$report"
 # The axis of the view, from its viewpoint and direction, meets the top (z = 10) in the anchor; and the view had been turned.
 check "the label is in the centre of the turned view" awk -v c="$(triple viewpoint)" -v d="$(triple direction)" -v a="$(triple anchor)" 'BEGIN {
