@@ -127,6 +127,20 @@ TEST(SweptVolume, FindsOneAmongMany)
 	ExpectRefused(scene.with(Speck({7.5, -1, 4}, 0.25)), 5, 4, 0.01);
 }
 
+// The one at x = 1.2 is seen within the label's box, the one at x = 10 far beside it: the depth that is stated counts both.
+TEST(SweptVolume, StatedDepthCountsWhatIsSeenBeside)
+{
+	Scene scene = WideAngle(Speck({1.2, 0, 5}, 0.25).joined(Speck({10, 0, 4.9}, 0.25)));
+	scene.letters = Letters({Rectangle(0.8, -1, 1.6, 1), Rectangle(9, -1, 11, 1)});
+	FloatMesh m;
+	test_mesh::Fill(m, scene.whole());
+	Error e(ErrorCode::OutOfMemory, "the label was not refused");
+	Refusal(m, scene.letters, scene.frame, scene.raisedBy(8), &e);
+	ASSERT_EQ(int(e.code), int(ErrorCode::HitsSurface)) << e.what();
+	EXPECT_NEAR(e.limit, 4.9, 0.01);
+	ExpectAccepted(scene, e.limit);
+}
+
 /// Part of a tube about the y axis, its top at z = radius, an open sheet that is seen from above.
 Shape HalfTube(double radius)
 {

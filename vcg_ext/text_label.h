@@ -144,19 +144,42 @@ PlannedLabel PlanInBox(const MeshType& m, const LabelSpace& space, const Outline
 	return p;
 }
 
+/// What the label would reach if it were raised by no more than a refusal says will do; empty when that can't be told.
+template <class MeshType>
+PlaneBox ReachAtLimit(const MeshType& m, const LabelSpace& space, const Outline& outline, const PlaneBox& box,
+                      LabelOptions options, const Error& refusal)
+{
+	const bool isByHeight = refusal.code == ErrorCode::HitsSurface || refusal.code == ErrorCode::HitsItself;
+	if (!isByHeight || !(refusal.limit > 0)) return {};
+	options.height = std::copysign(refusal.limit, options.height);
+	try {
+		return ReachOf(space, PlanInBox(m, space, outline, box, options).plan.patch);
+	} catch (const Error& e) {
+		if (e.code == ErrorCode::Cancelled) throw;
+		return {};
+	}
+}
+
 /// Plan on candidates that hold all that the label may meet: where a wide-angle view sees the raised letters beside the flat ones,
-/// the candidates are collected once more.
+/// the candidates are collected once more; so are they when a refusal says how far the letters may rise, and that is beside them.
 template <class MeshType>
 PlannedLabel PlanOnMesh(const MeshType& m, const LabelSpace& space, const Outline& outline, const LabelOptions& options)
 {
 	constexpr double margin = 1e-3;  // of the box: room for shifts and rounding
 	PlaneBox box = CheckedBox(outline);
-	const bool straightUp = options.along == ExtrudeAlong::Viewpoint;
+	const bool straightUp = options.along == ExtrudeAlong::Viewpoint, staysInSight = straightUp || !space.perspective();
 	box.grow((straightUp ? 0 : std::abs(options.height)) + (box.width() + box.height()) * margin);
 	for (;;) {
-		PlannedLabel p = PlanInBox(m, space, outline, box, options);
-		const PlaneBox reach = ReachOf(space, p.plan.patch);
-		if (straightUp || !space.perspective() || box.holds(reach)) return p;
+		PlaneBox reach;
+		try {
+			PlannedLabel p = PlanInBox(m, space, outline, box, options);
+			reach = ReachOf(space, p.plan.patch);
+			if (staysInSight || box.holds(reach)) return p;
+		} catch (const Error& e) {
+			if (staysInSight) throw;
+			reach = ReachAtLimit(m, space, outline, box, options, e);
+			if (box.holds(reach)) throw;
+		}
 		box.add(reach.low);
 		box.add(reach.high);
 	}
