@@ -70,6 +70,9 @@ std::string PlaceText(const Error& error, const ErrorContext& context)
 		return letter + " lies on a surface that reaches behind the camera" + where +
 		       ". Move the camera away from the part.";
 	case ErrorCode::Grazing:
+		if (!std::isfinite(error.value))
+			return letter + " lies on a surface that turns its back to the direction in which the label is extruded" +
+			       where + ". Extrude along the viewpoint (extrude_along), or look at the place more from the front.";
 		return letter + " lies on a surface that is too steep to the view" + where + ": it would be stretched " +
 		       Figure(error.value) + " times, " + Figure(error.limit) +
 		       " is allowed. Look at the place more from the front, or raise max_stretch.";

@@ -56,7 +56,7 @@ template <class MeshType>
 Outcome CancelEverywhere(const LabelCase& c)
 {
 	const Outcome whole = RunCase<MeshType>(c, 0);
-	EXPECT_TRUE(std::is_sorted(whole.reports.begin(), whole.reports.end()) || whole.attempts != 1);
+	EXPECT_TRUE(std::is_sorted(whole.reports.begin(), whole.reports.end())) << "the progress went back";
 	for (const int percent : whole.reports) {
 		EXPECT_GE(percent, 0);
 		EXPECT_LE(percent, 100);

@@ -23,6 +23,17 @@ void ExpectReadable(const std::string& text)
 	EXPECT_EQ(text.find("nan"), std::string::npos) << text;
 }
 
+// A letter that would be raised into the surface is no matter of stretch: no figure, another remedy.
+TEST(ErrorText, GrazingFromBehind)
+{
+	using namespace vcg::textlabel;
+	const Error error = Error(ErrorCode::Grazing).measured(std::numeric_limits<double>::infinity(), 8);
+	const std::string text = textlabel::ErrorText(error, {});
+	EXPECT_NE(text.find("extrude_along"), std::string::npos) << text;
+	EXPECT_EQ(text.find("inf"), std::string::npos) << text;
+	EXPECT_EQ(text.find("8"), std::string::npos) << text;
+}
+
 }  // namespace
 
 TEST(ErrorText, EveryCodeOfTheLibraryHasItsOwn)

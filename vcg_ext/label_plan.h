@@ -76,6 +76,8 @@ private:
 	void finish(LabelPlan& plan, bool last) const;
 	void measureSurface(LabelPlan& plan) const;
 	void checkRoom(LabelPlan& plan) const;
+	bool staysOnRays() const;
+	void requireOutward(const LabelPatch& patch) const;
 	[[noreturn]] void refuseHeight(const LabelPlan& plan, const PatchVerdict& verdict) const;
 	PatchVerdict check(const LabelPatch& patch, double height) const;
 	std::vector<int> trianglesAround(int face) const;
@@ -237,6 +239,7 @@ inline void LabelPlanner::finish(LabelPlan& plan, bool last) const
 	checkRoom(plan);
 	report(60);
 	plan.patch = RaiseLabel(space_, sheet_, plan.cut, options_.height, options_.along);
+	if (!staysOnRays()) requireOutward(plan.patch);
 	PatchVerdict verdict = check(plan.patch, options_.height);
 	if (verdict.fault != PatchFault::Sound) {
 		CollapseShortEdges(sheet_, plan.cut, shortestUlps * meshUlp_);
@@ -246,11 +249,13 @@ inline void LabelPlanner::finish(LabelPlan& plan, bool last) const
 	// each removed face leaves a slot to be filled
 	const bool fits = plan.patch.faces.size() >= plan.patch.removed.size();
 	if (verdict.fault == PatchFault::Sound && fits) return;
-	// Along the view a raised letter can't meet itself: what looks like it is rounding, and a shift may help. Otherwise, a raised
-	// vertex may also fall on another by the height alone; to tell costs a search, so only when no shift has helped.
-	const bool mayFold = options_.along != ExtrudeAlong::Viewpoint;
-	const bool byHeight =
-		verdict.fault == PatchFault::CrossesPart || (mayFold && (verdict.fault >= PatchFault::Folded || last));
+	// On the rays a raised letter can't meet itself, and what is shifted as a whole does not turn round: what looks like it is
+	// rounding, and a shift may help. Otherwise, a raised vertex may also fall on another by the height alone; to tell costs a
+	// search, so only when no shift has helped.
+	const bool mayMeet = !staysOnRays(), mayTurn = options_.along == ExtrudeAlong::SurfaceNormal;
+	const bool byHeight = verdict.fault == PatchFault::CrossesPart ||
+	                      (mayTurn && verdict.fault == PatchFault::Folded) ||
+	                      (mayMeet && (verdict.fault == PatchFault::CrossesSelf || last));
 	if (options_.height != 0 && byHeight) refuseHeight(plan, verdict);
 	throw PlacementConflict{"rounded coordinates spoil the label", space_.project(space_.toLabel(verdict.place))};
 }
@@ -289,7 +294,7 @@ inline void LabelPlanner::measureSurface(LabelPlan& plan) const
 inline void LabelPlanner::checkRoom(LabelPlan& plan) const
 {
 	constexpr double margin = 2;  // of snap: what must stay of a wall
-	const bool isSunk = options_.along == ExtrudeAlong::Viewpoint && options_.height < 0;
+	const bool isSunk = staysOnRays() && options_.height < 0;
 	const double needed = (isSunk ? -options_.height : 0) + margin * snap_;
 	const double within = options_.measureRoom ? std::numeric_limits<double>::infinity() : needed;
 	const Clearance clearance = MeasureClearance(space_, sheet_, plan.cut, snap_, layer_, within);
@@ -302,12 +307,49 @@ inline void LabelPlanner::checkRoom(LabelPlan& plan) const
 			.measured(-options_.height, clearance.behind);
 }
 
+/// Whether all that is raised stays on the line of sight through it.
+inline bool LabelPlanner::staysOnRays() const
+{
+	return options_.along == ExtrudeAlong::Viewpoint ||
+	       (options_.along == ExtrudeAlong::LabelNormal && !space_.perspective());
+}
+
+/// What is seen from the front may turn its back to the direction in which it is raised: there, up would be into the part.
+inline void LabelPlanner::requireOutward(const LabelPatch& patch) const
+{
+	const int old = int(sheet_.vertices.size());
+	std::vector<vcg::Point3d> rise(size_t(old) + patch.vertices.size(), vcg::Point3d(0, 0, 0));  // label space
+	const auto riseOver = [&](const vcg::Point3d& from, const vcg::Point3d& to) {
+		return (space_.toLabel(to) - space_.toLabel(from)) * std::copysign(1.0, options_.height);
+	};
+	for (const auto& [v, to] : patch.moved) rise[size_t(v)] = riseOver(sheet_.vertices[size_t(v)].mesh, to);
+	for (size_t i = 0; i < patch.vertices.size(); ++i) {
+		const int ground = patch.vertices[i].ground;
+		if (ground < 0) continue;
+		const vcg::Point3d& from =
+			ground < old ? sheet_.vertices[size_t(ground)].mesh : patch.vertices[size_t(ground - old)].mesh;
+		rise[size_t(old) + i] = riseOver(from, patch.vertices[i].mesh);
+	}
+	for (const PatchFace& f : patch.faces) {
+		if (f.kind != FaceKind::Top || patch.isFlat) continue;
+		const SheetTriangle& birth = sheet_.triangles[size_t(f.parent)];
+		const vcg::Point3d& a = sheet_.vertices[size_t(birth.vertex[0])].label;
+		const vcg::Point3d normal =
+			(sheet_.vertices[size_t(birth.vertex[1])].label - a) ^ (sheet_.vertices[size_t(birth.vertex[2])].label - a);
+		for (const int v : f.vertex)
+			if (!(normal * rise[size_t(v)] > 0))
+				throw Error(ErrorCode::Grazing, "a letter would be raised into the surface")
+					.atFace(birth.face)
+					.atPlace(sheet_.vertices[size_t(birth.vertex[0])].mesh)
+					.measured(std::numeric_limits<double>::infinity(), options_.maxStretch);
+	}
+}
+
 inline PatchVerdict LabelPlanner::check(const LabelPatch& patch, double height) const
 {
 	const std::vector<vcg::Point3d> position =
 		RoundedPositions(sheet_, patch, [this](double x) { return precision_.round(x); });
-	const bool isStraight = patch.isFlat || options_.along == ExtrudeAlong::Viewpoint ||
-	                        (options_.along == ExtrudeAlong::LabelNormal && !space_.perspective());
+	const bool isStraight = patch.isFlat || staysOnRays();
 	Suspects suspects;
 	if (isStraight && isRepresentable_) suspects = FindSuspects(space_, sheet_, layer_, patch, position, height, snap_);
 	const PatchVerdict verdict = CheckPatch(space_, sheet_, patch, position, suspects);
@@ -317,12 +359,16 @@ inline PatchVerdict LabelPlanner::check(const LabelPatch& patch, double height) 
 /// Find the largest height that works, for the message.
 inline void LabelPlanner::refuseHeight(const LabelPlan& plan, const PatchVerdict& verdict) const
 {
-	double works = 0, fails = 1;
-	for (int i = 0; i < bisections; ++i) {
+	const auto worksAt = [&](double part) {
+		const LabelPatch lower = RaiseLabel(space_, sheet_, plan.cut, options_.height * part, options_.along);
+		return check(lower, options_.height * part).fault == PatchFault::Sound;
+	};
+	const double least = std::ldexp(1.0, -bisections);  // where not even this works, the rest need not be tried
+	double works = worksAt(least) ? least : 0, fails = 1;
+	for (int i = 0; i < bisections && works > 0; ++i) {
 		report(60 + 3 * i);
 		const double middle = (works + fails) / 2;
-		const LabelPatch lower = RaiseLabel(space_, sheet_, plan.cut, options_.height * middle, options_.along);
-		(check(lower, options_.height * middle).fault == PatchFault::Sound ? works : fails) = middle;
+		(worksAt(middle) ? works : fails) = middle;
 	}
 	if (works == 0)
 		throw PlacementConflict{"rounded coordinates spoil the label", space_.project(space_.toLabel(verdict.place))};

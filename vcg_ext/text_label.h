@@ -161,18 +161,25 @@ PlaneBox ReachAtLimit(const MeshType& m, const LabelSpace& space, const Outline&
 }
 
 /// Plan on candidates that hold all that the label may meet: where a wide-angle view sees the raised letters beside the flat ones,
-/// the candidates are collected once more; so are they when a refusal says how far the letters may rise, and that is beside them.
+/// the candidates are collected once more; so are they when a refusal says how far the letters may rise, and that is beside them,
+/// and when the letters are so fine that the resolution is larger than the margin.
 template <class MeshType>
 PlannedLabel PlanOnMesh(const MeshType& m, const LabelSpace& space, const Outline& outline, const LabelOptions& options)
 {
 	constexpr double margin = 1e-3;  // of the box: room for shifts and rounding
 	PlaneBox box = CheckedBox(outline);
 	const bool straightUp = options.along == ExtrudeAlong::Viewpoint, staysInSight = straightUp || !space.perspective();
-	box.grow((straightUp ? 0 : std::abs(options.height)) + (box.width() + box.height()) * margin);
+	double room = (box.width() + box.height()) * margin;
+	box.grow((straightUp ? 0 : std::abs(options.height)) + room);
 	for (;;) {
 		PlaneBox reach;
 		try {
 			PlannedLabel p = PlanInBox(m, space, outline, box, options);
+			if (p.plan.resolution > room) {  // a contour may have moved to an edge whose other faces were not collected
+				room += 2 * p.plan.resolution;
+				box.grow(2 * p.plan.resolution);
+				continue;
+			}
 			reach = ReachOf(space, p.plan.patch);
 			if (staysInSight || box.holds(reach)) return p;
 		} catch (const Error& e) {
@@ -192,8 +199,12 @@ LabelResult LabelMeshOrThrow(MeshType& m, const Outline& outline, const LabelFra
 	if (!std::isfinite(options.height)) throw Error(ErrorCode::BadHeight, "height is not finite");
 	const LabelSpace space(frame);
 	PlannedLabel planned;
+	LabelOptions forwards = options;  // what is tried again does not set the progress back
+	int furthest = 0;
+	if (options.progress)
+		forwards.progress = [&](int percent) { return options.progress(furthest = std::max(furthest, percent)); };
 	try {
-		planned = PlanOnMesh(m, space, outline, options);
+		planned = PlanOnMesh(m, space, outline, forwards);
 	} catch (Error& e) {
 		RequireGoodOutline(outline);  // a wrong outline runs into anything; a good one needs no look
 		if (e.letter < 0 && e.hasPlace) e.letter = NearestLetter(space, outline, e.place);
