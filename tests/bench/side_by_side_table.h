@@ -141,23 +141,23 @@ inline std::string ToMarkdown(const std::vector<Row>& rows)
 	const auto bothRatios = [](const Row& row, Series PeerTimes::*whole, Series PeerTimes::*alone) {
 		return "**" + Ratio(Fastest(row, whole), row.ours) + "** (" + Ratio(Fastest(row, alone), row.ours) + ")";
 	};
-	out << "| label | triangles | under it | ours | first label |";
-	rule << "|---|--:|--:|--:|--:|";
+	out << "| label | triangles | ours | first label |";
+	rule << "|---|--:|--:|--:|";
 	for (const PeerTimes& p : rows[0].peers) {
 		out << ' ' << shortName(p) << " |";
 		rule << "--:|";
 	}
-	out << " faster | cropped by hand | faster | one pass | ours / pass | memcpy | valid: ours";
+	out << " faster | cropped by hand | faster | one pass | memcpy | valid: ours";
 	for (const PeerTimes& p : rows[0].peers) out << "; " << shortName(p);
-	out << " |\n" << rule.str() << "--:|--:|--:|--:|--:|--:|---|\n";
+	out << " |\n" << rule.str() << "--:|--:|--:|--:|--:|---|\n";
 	for (const Row& row : rows) {
-		out << "| " << row.text << " | " << row.triangles << " | " << row.underBox << " | **" << Milliseconds(&row.ours)
-			<< "** | " << Milliseconds(&row.oursFirst) << " | ";
+		out << "| " << row.text << " | " << row.triangles << " | **" << Milliseconds(&row.ours) << "** | "
+			<< Milliseconds(&row.oursFirst) << " | ";
 		for (const PeerTimes& p : row.peers) out << both(&p.whole, &p.wholeAlone) << " | ";
 		out << bothRatios(row, &PeerTimes::whole, &PeerTimes::wholeAlone) << " | "
 			<< both(Fastest(row, &PeerTimes::cropped), Fastest(row, &PeerTimes::croppedAlone)) << " | "
 			<< bothRatios(row, &PeerTimes::cropped, &PeerTimes::croppedAlone) << " | " << Milliseconds(&row.pass)
-			<< " | " << Ratio(&row.ours, row.pass) << " | " << Milliseconds(&row.copy) << " | " << row.valid;
+			<< " | " << Milliseconds(&row.copy) << " | " << row.valid;
 		for (const PeerTimes& p : row.peers) out << "; " << p.wholeAlone.valid;
 		out << " |\n";
 	}
