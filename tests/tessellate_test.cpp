@@ -160,6 +160,8 @@ TEST(Tessellate, RefusesWhatCrossesItself)
 	const Region crossed =
 		Region().ring({{0, 0}, {9, 0}, {9, 9}, {0, 9}}).ring(Reversed({{5, 5}, {12, 5}, {12, 6}, {5, 6}}));
 	EXPECT_THROW(Triangulate(crossed), WalkConflict);
+	EXPECT_THROW(Triangulate(Region().ring({{0, 0}, {4, 4}})), WalkConflict) << "there and back";
+	EXPECT_THROW(Triangulate(Region().ring({{0, 0}})), WalkConflict);
 }
 
 // Flipping makes the worst triangle of a long strip better than a fan would.

@@ -29,7 +29,7 @@ public:
 	/// @param[in] space  the same points in space: decides shape, so that a steep triangle gets good triangles as well
 	/// @param[in] rings, first, count  the region's rings: outer counter-clockwise, holes clockwise
 	/// @param[out] triangles  counter-clockwise, appended; #corners + 2 #holes - 2 of them
-	/// @throws WalkConflict when the region crosses itself
+	/// @throws WalkConflict when the region crosses itself or has fewer than three corners
 	void triangulate(const std::vector<vcg::Point2d>& plane, const std::vector<vcg::Point3d>& space,
 	                 const PolylineSet& rings, int first, int count, std::vector<IndexTriangle>& triangles);
 
@@ -116,6 +116,7 @@ inline void Tessellator::triangulate(const std::vector<vcg::Point2d>& plane, con
 	const int corners = int(rings.end(first + count - 1) - rings.begin(first)),
 			  expected = corners + 2 * (count - 1) - 2;
 	const int* ring = rings.begin(first);
+	if (corners < 3) throw WalkConflict{"a region has no area", ring[0]};
 	if (corners == 3) {
 		triangles.push_back({ring[0], ring[1], ring[2]});
 		return;
