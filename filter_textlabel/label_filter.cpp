@@ -179,7 +179,7 @@ FilterOutcome ApplyFilter(MeshDocument& document, const RichParameterList& list,
 		log(Shown(PythonCall(outcome.report.request)));
 #endif
 	});
-	Guarded([&](ErrorContext&) { outcome.message = Shown(outcome.message); });
+	if (!outcome.ok) Guarded([&](ErrorContext&) { outcome.message = Shown(outcome.message); });
 	return outcome;
 }
 

@@ -27,7 +27,7 @@ enum class ErrorCode {
 	NonManifold,   ///< an edge of three or more faces, or two faces of opposite orientation, lies under the label
 	Occluded,      ///< another surface hides a piece of the label from the viewer
 	BehindCamera,  ///< the surface under the label reaches behind the centre of projection
-	Grazing,       ///< the surface is too steep to the view: `value` is the stretch, `limit` the largest allowed
+	Grazing,       ///< too steep to the view: `value` is the stretch, infinite from behind; `limit` the largest allowed
 	// the result
 	TooFine,      ///< letters finer than the coordinates carry: `value` is the finest detail, `limit` what is needed
 	HitsSurface,  ///< the raised or sunk label meets another part of the surface: `limit` is the depth that fits

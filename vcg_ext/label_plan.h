@@ -315,6 +315,7 @@ inline bool LabelPlanner::staysOnRays() const
 }
 
 /// What is seen from the front may turn its back to the direction in which it is raised: there, up would be into the part.
+/// @throws Error{Grazing} with an infinite stretch
 inline void LabelPlanner::requireOutward(const LabelPatch& patch) const
 {
 	const int old = int(sheet_.vertices.size());
