@@ -7,6 +7,7 @@
 #include <fstream>
 #include <gtest/gtest.h>
 #include <random>
+#include <unistd.h>
 #include "embedded_font.h"
 #include "text_outline.h"
 #include "text_support.h"
@@ -75,7 +76,7 @@ TEST(BadFont, IsNamedAsSuch)
 	EXPECT_EQ(CodeWith(FontFile("").path()), TextErrorCode::NotAFont);
 	EXPECT_EQ(CodeWith(FontFile("\x89PNG\r\n\x1a\n0000IHDR some picture").path()), TextErrorCode::NotAFont);
 	EXPECT_EQ(CodeWith(FontFile(std::string(100000, 'x')).path()), TextErrorCode::NotAFont);
-	const std::string folder = testing::TempDir() + "/folder.ttf";
+	const std::string folder = testing::TempDir() + "/" + std::to_string(getpid()) + "-folder.ttf";
 	std::filesystem::create_directory(folder);
 	EXPECT_EQ(CodeWith(folder), TextErrorCode::NotAFont);
 	std::filesystem::remove(folder);

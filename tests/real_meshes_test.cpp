@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 #include <iostream>
 #include <map>
+#include <unistd.h>
 
 #include "filter_textlabel/auto_placement.h"
 #include "label_check.h"
@@ -107,7 +108,7 @@ std::map<std::string, double> AskAdmesh(const std::string& file)
 
 void ExpectAdmeshHasNothingToDo(const Shape& s, const std::string& name, int parts)
 {
-	const std::string file = testing::TempDir() + name + ".stl";
+	const std::string file = testing::TempDir() + std::to_string(getpid()) + name + ".stl";
 	WriteStl(s, file);
 	std::map<std::string, double> answer = AskAdmesh(file);
 	if (!answer.empty()) {

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 #include <map>
 #include <optional>
+#include <unistd.h>
 
 #include "oracle_mesh_file.h"
 
@@ -59,10 +60,23 @@ IndexedMesh Read(const fs::path& path)
 	return PrepareForReport(mesh, {false, true});
 }
 
-fs::path WriteStl(const std::string& name, const std::vector<Corners>& faces)
+/// A text STL that is removed again. The process is in its name: tests that run side by side write the same cases.
+class StlFile {
+public:
+	StlFile(const std::string& name, const std::vector<Corners>& faces);
+	~StlFile() { fs::remove(path_); }
+	StlFile(const StlFile&) = delete;
+	StlFile& operator=(const StlFile&) = delete;
+	const fs::path& path() const { return path_; }
+
+private:
+	fs::path path_;
+};
+
+StlFile::StlFile(const std::string& name, const std::vector<Corners>& faces)
+	: path_(fs::path(testing::TempDir()) / (std::to_string(getpid()) + "_validate_" + name + ".stl"))
 {
-	const fs::path path = fs::path(testing::TempDir()) / ("textlabel_validate_" + name + ".stl");
-	FILE* out = std::fopen(path.c_str(), "w");
+	FILE* out = std::fopen(path_.c_str(), "w");
 	std::fputs("solid s\n", out);
 	for (const Corners& t : faces) {
 		std::fputs("facet normal 0 0 0\nouter loop\n", out);
@@ -71,7 +85,6 @@ fs::path WriteStl(const std::string& name, const std::vector<Corners>& faces)
 	}
 	std::fputs("endsolid s\n", out);
 	std::fclose(out);
-	return path;
 }
 
 /// A tetrahedron of volume 1/6 with its right angles at `corner`.
@@ -174,7 +187,7 @@ TEST(KnownFiles, OurReport)
 {
 	for (const Case& c : Cases()) {
 		SCOPED_TRACE(c.name);
-		const IndexedMesh mesh = Read(WriteStl(c.name, c.faces));
+		const IndexedMesh mesh = Read(StlFile(c.name, c.faces).path());
 		const MeshReport r = MakeReport(mesh);
 		EXPECT_EQ(r.borderEdges, c.expected.borderEdges);
 		EXPECT_EQ(r.flippedEdges, c.expected.flippedEdges);
@@ -194,10 +207,10 @@ TEST(KnownFiles, CgalAgrees)
 	if (!fs::exists(kCgal)) GTEST_SKIP() << "not built: " << kCgal << " (needs CGAL)";
 	for (const Case& c : Cases()) {
 		SCOPED_TRACE(c.name);
-		const fs::path path = WriteStl(c.name, c.faces);
-		const auto cgal = AskCgal(path);
+		const StlFile stl(c.name, c.faces);
+		const auto cgal = AskCgal(stl.path());
 		ASSERT_TRUE(cgal.has_value());
-		ExpectCgalAgrees(Read(path), *cgal);
+		ExpectCgalAgrees(Read(stl.path()), *cgal);
 		EXPECT_EQ(cgal->at("crossing_pairs"), c.crossingPairs);
 	}
 	EXPECT_FALSE(AskCgal("no_such_file.stl").has_value());
@@ -210,10 +223,10 @@ TEST(KnownFiles, AdmeshAgrees)
 	if (!HasAdmesh()) GTEST_SKIP() << "admesh is not installed";
 	for (const Case& c : Cases()) {
 		SCOPED_TRACE(c.name);
-		const fs::path path = WriteStl(c.name, c.faces);
-		const auto admesh = AskAdmesh(path);
+		const StlFile stl(c.name, c.faces);
+		const auto admesh = AskAdmesh(stl.path());
 		ASSERT_TRUE(admesh.has_value());
-		ExpectAdmeshAgrees(MakeReport(Read(path)), *admesh);
+		ExpectAdmeshAgrees(MakeReport(Read(stl.path())), *admesh);
 	}
 	EXPECT_FALSE(AskAdmesh("no_such_file.stl").has_value());
 }
@@ -263,10 +276,9 @@ TEST(RealFiles, AdmeshAgrees)
 				faces.back()[i] = Point3d(p[0], p[1], p[2]);
 			}
 		}
-		const fs::path stl = WriteStl(path.stem(), faces);
-		const auto admesh = AskAdmesh(stl);
-		const MeshReport r = MakeReport(Read(stl));
-		fs::remove(stl);
+		const StlFile stl(path.stem(), faces);
+		const auto admesh = AskAdmesh(stl.path());
+		const MeshReport r = MakeReport(Read(stl.path()));
 		ASSERT_TRUE(admesh.has_value());
 		ExpectAdmeshAgrees(r, *admesh);
 	}
