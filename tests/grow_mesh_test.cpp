@@ -6,6 +6,13 @@
 
 #include "label_check.h"
 
+#include <algorithm>
+
+#ifdef MREMAP_DONTUNMAP
+#include <fstream>
+#include <sys/resource.h>
+#endif
+
 namespace {
 
 using namespace label_check;
@@ -54,7 +61,72 @@ TEST(GrowMesh, KeepsAllPointers)
 	EXPECT_EQ(Links(m), before);
 }
 
-// Large enough for the array's old pages to be given back while it is copied.
+#ifdef MREMAP_DONTUNMAP
+class PageReuse : public testing::Test {
+protected:
+	static constexpr size_t kBytes = size_t(1) << 16;
+
+	~PageReuse() override
+	{
+		for (char* p : taken_) munmap(p, kBytes);
+	}
+	char* map(int sharing, char filling)
+	{
+		void* const p = mmap(nullptr, kBytes, PROT_READ | PROT_WRITE, sharing | MAP_ANONYMOUS, -1, 0);
+		EXPECT_NE(p, MAP_FAILED);
+		taken_.push_back(static_cast<char*>(p));
+		std::fill_n(taken_.back(), kBytes, filling);
+		return taken_.back();
+	}
+	static bool writable(char* p)
+	{
+		std::fill_n(p, kBytes, 'w');
+		return size_t(std::count(p, p + kBytes, 'w')) == kBytes;
+	}
+
+private:
+	std::vector<char*> taken_;
+};
+
+TEST_F(PageReuse, MovesWholePagesAndLeavesBothWritable)
+{
+	char *const old = map(MAP_PRIVATE, 'o'), *const fresh = map(MAP_PRIVATE, 'f');
+	if (!detail::ReusePages(old + 1, kBytes - 1, fresh + 1, kBytes - 1)) GTEST_SKIP() << "the system can't do it";
+	const auto page = size_t(sysconf(_SC_PAGESIZE));
+	EXPECT_EQ(old[page - 1], 'o') << "not a whole page";
+	EXPECT_EQ(fresh[page - 1], 'f');
+	EXPECT_EQ(fresh[page + 1], 'o');
+	EXPECT_EQ(fresh[kBytes - 1], 'o');
+	EXPECT_EQ(old[page], 0);
+	EXPECT_TRUE(writable(old));
+	EXPECT_TRUE(writable(fresh));
+	EXPECT_FALSE(detail::ReusePages(old, 10, fresh, kBytes)) << "less than a page";
+}
+
+TEST_F(PageReuse, LeavesBothWritableAndApartWhereItCannotBeDone)
+{
+	char *const shared = map(MAP_SHARED, 'o'), *const fresh = map(MAP_PRIVATE, 'f');
+	EXPECT_FALSE(detail::ReusePages(shared, kBytes, fresh, kBytes));
+	EXPECT_TRUE(writable(shared));
+	std::fill_n(fresh, kBytes, 'f');
+	EXPECT_EQ(shared[kBytes / 2], 'w') << "the same memory in two places";
+
+	char* const old = map(MAP_PRIVATE, 'o');
+	rlimit before;
+	ASSERT_EQ(getrlimit(RLIMIT_AS, &before), 0);
+	rlimit none = before;
+	size_t pages = 0;
+	std::ifstream("/proc/self/statm") >> pages;
+	none.rlim_cur = pages * size_t(sysconf(_SC_PAGESIZE));
+	ASSERT_EQ(setrlimit(RLIMIT_AS, &none), 0);
+	detail::ReusePages(old, kBytes, fresh, kBytes);  // may find no address space
+	setrlimit(RLIMIT_AS, &before);
+	EXPECT_TRUE(writable(old));
+	EXPECT_TRUE(writable(fresh));
+}
+#endif
+
+// Large enough for the array's old pages to be used again while it is copied.
 TEST(GrowMesh, RoomOrNoRoomGivesTheSameLabelOnALargeMesh)
 {
 	const test_mesh::Shape slab = test_mesh::Slab(300, 200, 40, 1000, 500);
@@ -65,7 +137,7 @@ TEST(GrowMesh, RoomOrNoRoomGivesTheSameLabelOnALargeMesh)
 	test_mesh::Fill(tight, slab);
 	tight.vert.shrink_to_fit();
 	tight.face.shrink_to_fit();
-	ASSERT_GT(tight.face.size() * sizeof(test_mesh::FloatFace), size_t(32) << 20);
+	ASSERT_GT(tight.face.size() * sizeof(test_mesh::FloatFace), size_t(4) << 20);
 	LabelOptions options;
 	options.height = 1;
 	const LabelResult a = LabelMesh(roomy, ThreeLetters(), FromAbove(), options),

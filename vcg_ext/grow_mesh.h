@@ -2,12 +2,14 @@
 // Room for the label's vertices and faces at the end of a mesh's arrays.
 //
 // A loaded mesh has no room to spare, so its first label moves both arrays. std::vector would hold the old array and the new one at
-// the same time, twice the mesh; here the old pages go back to the system as they are copied (Linux; elsewhere it is a plain copy),
-// and some room is left for the next labels. What points into the arrays is updated as VCGlib's Allocator would.
+// the same time, twice the mesh, and the system would have to clear each new page before it is written; here the pages that have
+// been copied take the place of those that are written next (Linux 5.7; elsewhere it is a plain copy). Some room is left for the
+// next labels. What points into the arrays is updated as VCGlib's Allocator would.
 
 #include "label_error.h"
 #include "parallel_chunks.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <new>
 #include <type_traits>
@@ -29,44 +31,53 @@ void GrowMesh(MeshType& m, size_t vertices, size_t faces);
 
 namespace detail {
 
-#ifdef __linux__
-/// Advice about the whole pages within some memory; that it is not taken does no harm.
-inline void AdvisePages(const void* begin, size_t bytes, int advice)
+/// Let memory that is no longer needed stand in for memory that has not been written yet. Both can be written afterwards; what they
+/// held is gone.
+/// @return false where it can't be done: then nothing is gained
+inline bool ReusePages(const void* old, size_t oldBytes, const void* fresh, size_t freshBytes)
 {
-	const auto page = static_cast<std::uintptr_t>(sysconf(_SC_PAGESIZE));
-	const auto start = reinterpret_cast<std::uintptr_t>(begin), end = (start + bytes) / page * page;
-	const std::uintptr_t first = (start + page - 1) / page * page;
-	if (first < end) madvise(reinterpret_cast<void*>(first), end - first, advice);
-}
-inline void ExpectWrites(const void* begin, size_t bytes) { AdvisePages(begin, bytes, MADV_HUGEPAGE); }
-inline void GiveBack(const void* begin, size_t bytes) { AdvisePages(begin, bytes, MADV_DONTNEED); }
+#ifdef MREMAP_DONTUNMAP
+	const auto page = std::uintptr_t(sysconf(_SC_PAGESIZE));
+	const auto firstPage = [&](const void* p) {
+		return (reinterpret_cast<std::uintptr_t>(p) + page - 1) / page * page;
+	};
+	const auto endPage = [&](const void* p, size_t n) {
+		return (reinterpret_cast<std::uintptr_t>(p) + n) / page * page;
+	};
+	const std::uintptr_t from = firstPage(old), fromEnd = endPage(old, oldBytes);
+	const std::uintptr_t to = firstPage(fresh), toEnd = endPage(fresh, freshBytes);
+	if (from >= fromEnd || to >= toEnd) return false;
+	const size_t bytes = std::min(fromEnd - from, toEnd - to);
+	void *const source = reinterpret_cast<void*>(from), *const target = reinterpret_cast<void*>(to);
+	volatile char* const left = static_cast<char*>(source);
+	*left = 1;
+	constexpr int how = MREMAP_MAYMOVE | MREMAP_FIXED | MREMAP_DONTUNMAP;
+	if (mremap(source, bytes, bytes, how, target) == target && *left == 0) return true;
+	// Memory that is shared would now be in both places; and a call that fails late has taken the target's pages away.
+	mmap(target, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_FIXED, -1, 0);
+	return false;
 #else
-inline void ExpectWrites(const void*, size_t) {}
-inline void GiveBack(const void*, size_t) {}
+	return (void)old, (void)oldBytes, (void)fresh, (void)freshBytes, false;
 #endif
+}
 
 /// Make room for `more` elements at the end; false when nothing had to move.
 /// @throws std::bad_alloc; the array is as it was
 template <class Element>
 bool MakeRoom(std::vector<Element>& array, size_t more)
 {
-	constexpr size_t spare = 16, chunkBytes = size_t(4) << 20;
-	constexpr size_t large = size_t(32) << 20;  // bytes: the allocator asks the system for arrays of this size
+	constexpr size_t spare = 16, chunkBytes = size_t(1) << 20;
 	if (array.capacity() - array.size() >= more) return false;
-	const size_t room = array.size() + std::max(more, array.size() / spare);
-	if (array.size() * sizeof(Element) < large) {
-		array.reserve(room);
-		return true;
-	}
 	std::vector<Element> grown;
-	grown.reserve(room);
-	ExpectWrites(grown.data(), (array.size() + more) * sizeof(Element));
+	grown.reserve(array.size() + std::max(more, array.size() / spare));
 	const size_t chunk = std::max<size_t>(chunkBytes / sizeof(Element), 1);
+	bool reuses = std::is_trivially_destructible_v<Element>;  // else the old ones are looked at once more
 	for (size_t first = 0; first < array.size(); first += chunk) {
-		const size_t count = std::min(chunk, array.size() - first);
+		const size_t count = std::min(chunk, array.size() - first), left = array.size() - first - count;
 		const Element* from = array.data() + first;
 		grown.insert(grown.end(), from, from + count);
-		if (std::is_trivially_destructible_v<Element>) GiveBack(from, count * sizeof(Element));
+		reuses = reuses && left > 0 &&
+		         ReusePages(from, count * sizeof(Element), grown.data() + grown.size(), left * sizeof(Element));
 	}
 	array.swap(grown);
 	return true;
