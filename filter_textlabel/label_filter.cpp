@@ -160,7 +160,7 @@ int FilterPostCondition()
 
 void AddFilterParameters(const MeshModel& model, RichParameterList& list)
 {
-	AddParameters(HasWindow() ? WindowDefaults(WorldBox(model.cm, MatrixOf(model.cm))) : LabelRequest(), list);
+	AddParameters(HasWindow() ? WindowDefaults(BoxesOf(model.cm, MatrixOf(model.cm)).world) : LabelRequest(), list);
 }
 
 FilterOutcome ApplyFilter(MeshDocument& document, const RichParameterList& list, vcg::CallBackPos* progress,

@@ -11,8 +11,6 @@
 #include "stage_clock.h"
 #include "vcg_ext/text_label.h"
 
-#include <vcg/complex/algorithms/update/bounding.h>
-
 namespace textlabel {
 
 /// What the service asks of its host.
@@ -46,7 +44,7 @@ private:
 	void label(const LabelRequest& request, const std::vector<Attempt>& attempts, TextSetter& text);
 	void tryAttempt(const LabelRequest& request, const Attempt& attempt, const TextOutline& outline);
 	void labelAtDepth(const LabelRequest& request, const TextOutline& outline, double depth);
-	void finish(const LabelRequest& request);
+	void finish(const LabelRequest& request, bool anySelected);
 	void updateNormals();
 	LabelReport report(const LabelRequest& request) const;
 
@@ -89,13 +87,18 @@ LabelReport LabelJob<MeshType>::run(const LabelRequest& asked)
 {
 	LabelRequest request = asked;
 	StageClock clock;
-	box_ = WorldBox(m_, toWorld_);
+	const PartBoxes boxes = BoxesOf(m_, toWorld_);
+	box_ = boxes.world;
 	if (m_.FN() == 0 || box_.IsNull()) throw RequestError(RequestProblem::EmptyPart);
 	CheckRequest(request, box_);
 	constexpr int countedUpTo =
 		50000;  // triangles; of larger parts only when the report is asked for: counting takes longer than labelling
 	const bool counts = m_.FN() <= countedUpTo || !request.report.empty();
-	MeshNumbers before = NumbersOf(m_);
+	const FaceSums faces = SumFaces(m_, boxes.mesh.Center());
+	MeshNumbers before;
+	before.vertices = m_.VN();
+	before.triangles = m_.FN();
+	before.volume = faces.volume;
 	if (counts) CountTopology(m_, before);
 	clock.end("measure");
 	TextSetter text(request);
@@ -103,7 +106,7 @@ LabelReport LabelJob<MeshType>::run(const LabelRequest& asked)
 	clock.end("place");
 	label(request, attempts, text);
 	clock.end("label");
-	finish(request);
+	finish(request, faces.anySelected);
 	clock.end("finish");
 	outline_ = text.at(size_);
 	LabelReport made = report(request);
@@ -175,18 +178,20 @@ void LabelJob<MeshType>::labelAtDepth(const LabelRequest& request, const TextOut
 }
 
 /// Selection, colour, box and normals of what has changed.
+/// @param[in] anySelected  some faces were selected before
 template <class MeshType>
-void LabelJob<MeshType>::finish(const LabelRequest& request)
+void LabelJob<MeshType>::finish(const LabelRequest& request, bool anySelected)
 {
 	const bool colors = vcg::tri::HasPerFaceColor(m_) && (request.style == LabelStyle::Flat || request.tint);
-	for (auto& f : m_.face) f.ClearS();
+	if (anySelected)
+		for (auto& f : m_.face) f.ClearS();
 	for (const auto* faces : {&result_.topFaces, &result_.wallFaces})
 		for (const int f : *faces) {
 			m_.face[size_t(f)].SetS();
 			if (colors)
 				m_.face[size_t(f)].C() = vcg::Color4b(request.color[0], request.color[1], request.color[2], 255);
 		}
-	vcg::tri::UpdateBounding<MeshType>::Box(m_);
+	m_.bbox.Import(BoxesOf(m_, vcg::textlabel::LabelFrame::Identity()).mesh);
 	updateNormals();
 }
 
@@ -194,24 +199,34 @@ void LabelJob<MeshType>::finish(const LabelRequest& request)
 template <class MeshType>
 void LabelJob<MeshType>::updateNormals()
 {
-	std::vector<bool> isNew(m_.vert.size(), false);
-	std::fill(isNew.begin() + result_.firstNewVertex, isNew.end(), true);
+	const auto indexOf = [&](const auto& f, int k) { return int(f.cV(k) - m_.vert.data()); };
+	std::vector<int> changed;  // ascending
 	for (const int f : result_.topFaces)
-		for (int k = 0; k < 3; ++k) isNew[size_t(m_.face[size_t(f)].V(k) - m_.vert.data())] = true;
+		for (int k = 0; k < 3; ++k) changed.push_back(indexOf(m_.face[size_t(f)], k));
+	std::sort(changed.begin(), changed.end());
+	changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
+	changed.erase(std::lower_bound(changed.begin(), changed.end(), result_.firstNewVertex), changed.end());
+	const auto isOldAndChanged = [&, old = changed.size()](int v) {
+		return std::binary_search(changed.begin(), changed.begin() + std::ptrdiff_t(old), v);
+	};
+	for (int v = result_.firstNewVertex; v < int(m_.vert.size()); ++v) changed.push_back(v);
+
 	const bool perVertex = vcg::tri::HasPerVertexNormal(m_), perFace = vcg::tri::HasPerFaceNormal(m_);
-	for (size_t v = 0; v < isNew.size() && perVertex; ++v)
-		if (isNew[v]) m_.vert[v].N().SetZero();
+	for (const int v : changed)
+		if (perVertex) m_.vert[size_t(v)].N().SetZero();
 	for (const auto* faces : {&result_.topFaces, &result_.wallFaces, &result_.outsideFaces})
 		for (const int index : *faces) {
 			auto& f = m_.face[size_t(index)];
 			const auto normal = vcg::TriangleNormal(f).Normalize();
 			if (perFace) f.N() = normal;
-			for (int k = 0; k < 3 && perVertex; ++k)  // weighted by the angle, as MeshLab does it
-				if (isNew[size_t(f.V(k) - m_.vert.data())])
+			for (int k = 0; k < 3 && perVertex; ++k) {  // weighted by the angle, as MeshLab does it
+				const int v = indexOf(f, k);
+				if (v >= result_.firstNewVertex || isOldAndChanged(v))
 					f.V(k)->N() += normal * vcg::Angle(f.P1(k) - f.P(k), f.P2(k) - f.P(k));
+			}
 		}
-	for (size_t v = 0; v < isNew.size() && perVertex; ++v)
-		if (isNew[v]) m_.vert[v].N().Normalize();
+	for (const int v : changed)
+		if (perVertex) m_.vert[size_t(v)].N().Normalize();
 }
 
 template <class MeshType>

@@ -3,9 +3,13 @@
 
 #include "label_report.h"
 #include "placement.h"
+#include "vcg_ext/parallel_chunks.h"
 #include "vcg_ext/validate.h"
 
+#include <array>
+#include <limits>
 #include <vcg/complex/complex.h>
+#include <vector>
 
 namespace textlabel {
 
@@ -16,37 +20,99 @@ vcg::Point3d PointOf(const MeshType& m, size_t vertex)
 	return {double(p[0]), double(p[1]), double(p[2])};
 }
 
-/// Bounding box of the finite vertices, in world coordinates; null when there is none.
-template <class MeshType>
-vcg::Box3d WorldBox(const MeshType& m, const vcg::Matrix44d& toWorld)
-{
-	vcg::Box3d box;
-	for (size_t i = 0; i < m.vert.size(); ++i) {
-		const vcg::Point3d p = toWorld * PointOf(m, i);
-		if (!m.vert[i].IsD() && vcg::textlabel::IsFinite(p)) box.Add(p);
+/// Bounding boxes of the finite vertices, null when there is none.
+struct PartBoxes {
+	vcg::Box3d mesh, world;  ///< in mesh and in world coordinates
+};
+
+namespace detail {
+
+/// A box that is grown without branches.
+struct GrowingBox {
+	static constexpr double kEnd = std::numeric_limits<double>::infinity();
+	double low[3] = {kEnd, kEnd, kEnd}, high[3] = {-kEnd, -kEnd, -kEnd};
+
+	void add(const vcg::Point3d& p)
+	{
+		for (int i = 0; i < 3; ++i) {
+			low[i] = std::min(low[i], p[i]);
+			high[i] = std::max(high[i], p[i]);
+		}
 	}
-	return box;
+	void addTo(vcg::Box3d& box) const
+	{
+		if (low[0] > high[0]) return;
+		box.Add({low[0], low[1], low[2]});
+		box.Add({high[0], high[1], high[2]});
+	}
+};
+
+}  // namespace detail
+
+/// One pass over the vertices.
+template <class MeshType>
+PartBoxes BoxesOf(const MeshType& m, const vcg::Matrix44d& toWorld)
+{
+	using vcg::textlabel::EachChunk, vcg::textlabel::IsFinite;
+	const bool isMoved = toWorld != vcg::textlabel::LabelFrame::Identity();
+	const size_t chunks = vcg::textlabel::ChunkCount(m.vert.size());
+	std::array<std::array<detail::GrowingBox, 2>, vcg::textlabel::kMostChunks> found;
+	EachChunk(m.vert.size(), chunks, [&](size_t chunk, size_t first, size_t last) {
+		detail::GrowingBox mesh, world;
+		for (size_t i = first; i < last; ++i) {
+			const vcg::Point3d p = PointOf(m, i);
+			if (m.vert[i].IsD() || !IsFinite(p)) continue;
+			mesh.add(p);
+			if (!isMoved) continue;
+			const vcg::Point3d q = toWorld * p;
+			if (IsFinite(q)) world.add(q);
+		}
+		found[chunk] = {mesh, isMoved ? world : mesh};
+	});
+	PartBoxes boxes;
+	for (size_t chunk = 0; chunk < chunks; ++chunk) {
+		found[chunk][0].addTo(boxes.mesh);
+		found[chunk][1].addTo(boxes.world);
+	}
+	return boxes;
 }
 
-/// Vertices, triangles and volume. The volume is taken from the centre of the box, so that a part far from the origin keeps its
-/// digits.
+/// What one pass over the faces finds.
+struct FaceSums {
+	double volume = 0;  ///< enclosed, mesh units cubed; of an open part, of the cone to the point given
+	bool anySelected = false;
+};
+
+/// One pass over the faces, in blocks of a fixed size: the number of cores changes no digit of the sum.
+/// @param[in] from  mesh coordinates; near the part, so that one far from the origin keeps its digits
 template <class MeshType>
-MeshNumbers NumbersOf(const MeshType& m)
+FaceSums SumFaces(const MeshType& m, const vcg::Point3d& from)
 {
-	MeshNumbers numbers;
-	numbers.vertices = m.VN();
-	numbers.triangles = m.FN();
-	const vcg::Box3d box = WorldBox(m, vcg::textlabel::LabelFrame::Identity());
-	if (box.IsNull()) return numbers;
-	const vcg::Point3d center = box.Center();
-	for (const auto& f : m.face) {
-		if (f.IsD()) continue;
-		vcg::Point3d p[3];
-		for (int k = 0; k < 3; ++k) p[k] = PointOf(m, size_t(f.cV(k) - m.vert.data())) - center;
-		const double six = p[0] * (p[1] ^ p[2]);
-		if (std::isfinite(six)) numbers.volume += six / 6;
+	constexpr size_t block = 4096;
+	std::vector<FaceSums> sums((m.face.size() + block - 1) / block);
+	const auto sumBlock = [&](size_t first, size_t last) {
+		FaceSums sum;
+		for (size_t f = first; f < last; ++f) {
+			if (m.face[f].IsD()) continue;
+			vcg::Point3d p[3];
+			for (int k = 0; k < 3; ++k) p[k] = PointOf(m, size_t(m.face[f].cV(k) - m.vert.data())) - from;
+			const double six = p[0] * (p[1] ^ p[2]);
+			if (std::isfinite(six)) sum.volume += six / 6;
+			sum.anySelected = sum.anySelected || m.face[f].IsS();
+		}
+		return sum;
+	};
+	vcg::textlabel::EachChunk(sums.size(), vcg::textlabel::ChunkCount(m.face.size()),
+	                          [&](size_t, size_t first, size_t last) {
+								  for (size_t b = first; b < last; ++b)
+									  sums[b] = sumBlock(b * block, std::min((b + 1) * block, m.face.size()));
+							  });
+	FaceSums total;
+	for (const FaceSums& sum : sums) {
+		total.volume += sum.volume;
+		total.anySelected = total.anySelected || sum.anySelected;
 	}
-	return numbers;
+	return total;
 }
 
 /// Borders, components and handles too; this takes many times as long as all the rest of a label.

@@ -6,6 +6,7 @@
 // so it cannot slip through between two of them.
 
 #include "vcg_ext/label_frame.h"
+#include "vcg_ext/parallel_chunks.h"
 #include "vcg_ext/predicates.h"
 
 #include <cstdint>
@@ -72,21 +73,34 @@ std::vector<SurfaceHit> HitsOnLine(const MeshType& m, const vcg::Matrix44d& toWo
 	const auto inSpace = [&](const auto& v) {
 		return space.toLabel({double(v.cP()[0]), double(v.cP()[1]), double(v.cP()[2])});
 	};
+	using vcg::textlabel::EachChunk, vcg::textlabel::ChunkCount;
 	std::vector<std::uint8_t> sides(m.vert.size(), detail::NotFinite);
-	for (size_t i = 0; i < m.vert.size(); ++i)
-		if (!m.vert[i].IsD()) sides[i] = detail::SideOfLine(inSpace(m.vert[i]));
+	EachChunk(m.vert.size(), ChunkCount(m.vert.size()), [&](size_t, size_t first, size_t last) {
+		for (size_t i = first; i < last; ++i)
+			if (!m.vert[i].IsD()) sides[i] = detail::SideOfLine(inSpace(m.vert[i]));
+	});
 
-	std::vector<SurfaceHit> hits;
-	for (size_t f = 0; f < m.face.size(); ++f) {
-		if (m.face[f].IsD()) continue;
-		const auto side = [&](int k) { return sides[size_t(m.face[f].cV(k) - m.vert.data())]; };
-		if ((side(0) & side(1) & side(2)) || ((side(0) | side(1) | side(2)) & detail::NotFinite)) continue;
+	const auto addHit = [&](size_t f, std::vector<SurfaceHit>& hits) {
 		const vcg::Point3d q[3] = {inSpace(*m.face[f].cV(0)), inSpace(*m.face[f].cV(1)), inSpace(*m.face[f].cV(2))};
 		const int turn = detail::TurnAroundAxis(q);
-		if (turn == 0) continue;
+		if (turn == 0) return;
 		const vcg::Point3d normal = (q[1] - q[0]) ^ (q[2] - q[0]);
 		hits.push_back({-(normal * q[0]) / normal[2], int(f), (turn > 0) != space.mirrors()});
-	}
+	};
+	std::vector<std::vector<SurfaceHit>> found(ChunkCount(m.face.size()));
+	EachChunk(m.face.size(), found.size(), [&](size_t chunk, size_t first, size_t last) {
+		const auto* const vertices = m.vert.data();
+		const std::uint8_t* const sideOf = sides.data();
+		for (size_t f = first; f < last; ++f) {
+			const auto& face = m.face[f];
+			if (face.IsD()) continue;
+			const int a = sideOf[face.cV(0) - vertices], b = sideOf[face.cV(1) - vertices],
+					  c = sideOf[face.cV(2) - vertices];
+			if (!(a & b & c) && !((a | b | c) & detail::NotFinite)) addHit(f, found[chunk]);
+		}
+	});
+	std::vector<SurfaceHit> hits;
+	for (const std::vector<SurfaceHit>& part : found) hits.insert(hits.end(), part.begin(), part.end());
 	std::sort(hits.begin(), hits.end(), [](const SurfaceHit& a, const SurfaceHit& b) {
 		return a.distance != b.distance ? a.distance < b.distance : a.face < b.face;
 	});

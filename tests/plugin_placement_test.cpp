@@ -1,5 +1,6 @@
 // Lines of sight, and where requests put the label, on a box and a bowl whose answers are known.
 
+#define TEXTLABEL_LEAST_CHUNK 5  // several chunks on small meshes, where there are cores
 #include "filter_textlabel/mesh_numbers.h"
 #include "filter_textlabel/placement.h"
 #include "filter_textlabel/request_error.h"
@@ -32,7 +33,7 @@ vcg::Matrix44d Identity() { return vcg::textlabel::LabelFrame::Identity(); }
 
 PartProbe ProbeOf(const Mesh& m, const vcg::Matrix44d& toWorld = Identity())
 {
-	return {WorldBox(m, toWorld), [&m, toWorld](const SightLine& line) { return HitsOnLine(m, toWorld, line); },
+	return {BoxesOf(m, toWorld).world, [&m, toWorld](const SightLine& line) { return HitsOnLine(m, toWorld, line); },
 	        [&m, toWorld] { return GeometryOf(m, toWorld); }};
 }
 
@@ -121,7 +122,7 @@ TEST(SightLine, GoesThroughMovedAndMirroredLayers)
 	for (const auto& t : part.triangles)
 		volume += part.positions[size_t(t[0])] * (part.positions[size_t(t[1])] ^ part.positions[size_t(t[2])]) / 6;
 	EXPECT_NEAR(volume, 2 * 24000, 1e-6);  // positive: still turned outwards
-	EXPECT_NEAR(NumbersOf(Box()).volume, 24000, 1e-9);
+	EXPECT_NEAR(SumFaces(Box(), {0, 0, 0}).volume, 24000, 1e-9);
 }
 
 TEST(SightLine, PassesByWhatIsNotFinite)
@@ -132,7 +133,7 @@ TEST(SightLine, PassesByWhatIsNotFinite)
 	const auto hits = HitsOnLine(m, Identity(), {{40, 5, 110}, {0, 0, -1}});
 	ASSERT_EQ(hits.size(), 1u);  // the top has lost its faces there
 	EXPECT_DOUBLE_EQ(hits[0].distance, 110);
-	EXPECT_EQ(WorldBox(m, Identity()).max[2], 10);
+	EXPECT_EQ(BoxesOf(m, Identity()).world.max[2], 10);
 }
 
 TEST(PointAndDirection, ComesDownOnTheSurface)
