@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <new>
 #include <type_traits>
+#include <utility>
 #include <vcg/complex/complex.h>
 
 #ifdef __linux__
@@ -61,26 +62,33 @@ inline bool ReusePages(const void* old, size_t oldBytes, const void* fresh, size
 #endif
 }
 
-/// Make room for `more` elements at the end; false when nothing had to move.
-/// @throws std::bad_alloc; the array is as it was
+/// An array with room for the elements of another and `more` at its end; without any when these fit into the other.
+/// @throws std::bad_alloc
 template <class Element>
-bool MakeRoom(std::vector<Element>& array, size_t more)
+std::vector<Element> LargerArray(const std::vector<Element>& array, size_t more)
 {
-	constexpr size_t spare = 16, chunkBytes = size_t(1) << 20;
-	if (array.capacity() - array.size() >= more) return false;
-	std::vector<Element> grown;
-	grown.reserve(array.size() + std::max(more, array.size() / spare));
-	const size_t chunk = std::max<size_t>(chunkBytes / sizeof(Element), 1);
+	constexpr size_t spare = 16;
+	std::vector<Element> larger;
+	if (array.capacity() - array.size() < more) larger.reserve(array.size() + std::max(more, array.size() / spare));
+	return larger;
+}
+
+/// Move all elements of an array to a larger one, and this to its place.
+/// @param[in] update  called for each element that has moved, while it is in the cache
+template <class Element, class Update>
+void MoveTo(std::vector<Element> larger, std::vector<Element>& array, const Update& update)
+{
+	constexpr size_t chunk = std::max<size_t>((size_t(1) << 20) / sizeof(Element), 1);
 	bool reuses = std::is_trivially_destructible_v<Element>;  // else the old ones are looked at once more
 	for (size_t first = 0; first < array.size(); first += chunk) {
 		const size_t count = std::min(chunk, array.size() - first), left = array.size() - first - count;
 		const Element* from = array.data() + first;
-		grown.insert(grown.end(), from, from + count);
+		larger.insert(larger.end(), from, from + count);
+		for (size_t i = first; i < first + count; ++i) update(larger[i]);
 		reuses = reuses && left > 0 &&
-		         ReusePages(from, count * sizeof(Element), grown.data() + grown.size(), left * sizeof(Element));
+		         ReusePages(from, count * sizeof(Element), larger.data() + larger.size(), left * sizeof(Element));
 	}
-	array.swap(grown);
-	return true;
+	array.swap(larger);
 }
 
 /// Moves pointers from an array that was to where it is now.
@@ -94,15 +102,10 @@ struct PointerShift {
 	}
 };
 
-/// The vertices have moved: tell all that points to them.
+/// The vertices have moved: tell all that points to them, but for the faces.
 template <class MeshType>
 void ShiftVertexPointers(MeshType& m, const PointerShift<typename MeshType::VertexPointer>& shift)
 {
-	EachChunk(m.face.size(), ChunkCount(m.face.size()), [&](size_t, size_t first, size_t last) {
-		for (size_t f = first; f < last; ++f)
-			if (!m.face[f].IsD())
-				for (int k = 0; k < m.face[f].VN(); ++k) shift(m.face[f].V(k));
-	});
 	for (auto& e : m.edge)
 		if (!e.IsD())
 			for (int k = 0; k < 2; ++k) shift(e.V(k));
@@ -137,6 +140,32 @@ void ShiftFacePointers(MeshType& m, const PointerShift<typename MeshType::FacePo
 			if (!h.IsD()) shift(h.HFp());
 }
 
+/// Move the arrays that are given larger ones.
+template <class MeshType>
+void MoveArrays(MeshType& m, std::vector<typename MeshType::VertexType> vertices,
+                std::vector<typename MeshType::FaceType> faces)
+{
+	PointerShift<typename MeshType::VertexPointer> shift{m.vert.data(), m.vert.data()};
+	const bool verticesMove = vertices.capacity() > 0, facesMove = faces.capacity() > 0;
+	if (verticesMove) {
+		shift.to = vertices.data();
+		MoveTo<typename MeshType::VertexType>(std::move(vertices), m.vert, [](auto&) {});
+		ShiftVertexPointers(m, shift);
+	}
+	const auto shiftCorners = [&](typename MeshType::FaceType& f) {
+		for (int k = 0; k < f.VN() && !f.IsD(); ++k) shift(f.V(k));
+	};
+	if (facesMove) {
+		auto* const from = m.face.data();
+		MoveTo<typename MeshType::FaceType>(std::move(faces), m.face, shiftCorners);
+		ShiftFacePointers(m, {from, m.face.data()});
+	} else if (verticesMove) {
+		EachChunk(m.face.size(), ChunkCount(m.face.size()), [&](size_t, size_t first, size_t last) {
+			for (size_t f = first; f < last; ++f) shiftCorners(m.face[f]);
+		});
+	}
+}
+
 }  // namespace detail
 
 template <class MeshType>
@@ -146,12 +175,9 @@ void GrowMesh(MeshType& m, size_t vertices, size_t faces)
 	const size_t oldVertices = m.vert.size(), oldFaces = m.face.size();
 	const int oldVn = m.vn, oldFn = m.fn;
 	try {
-		auto* const vertexBase = m.vert.data();
-		if (detail::MakeRoom<typename MeshType::VertexType>(m.vert, vertices))
-			detail::ShiftVertexPointers(m, {vertexBase, m.vert.data()});
-		auto* const faceBase = m.face.data();
-		if (detail::MakeRoom<typename MeshType::FaceType>(m.face, faces))
-			detail::ShiftFacePointers(m, {faceBase, m.face.data()});
+		auto moreVertices = detail::LargerArray<typename MeshType::VertexType>(m.vert, vertices);
+		auto moreFaces = detail::LargerArray<typename MeshType::FaceType>(m.face, faces);
+		detail::MoveArrays(m, std::move(moreVertices), std::move(moreFaces));
 		Allocator::AddVertices(m, vertices);
 		if (faces > 0) Allocator::AddFaces(m, faces);
 	} catch (const std::bad_alloc&) {
