@@ -72,6 +72,40 @@ TEST(Sheet, KeepsOrderPlacesAndFacing)
 	}
 }
 
+// A slab 4 thick on two feet 10 below its top, seen from above: the undersides lie at -4 and -10.
+TEST(Sheet, LeavesOutBacksThatLieTooDeep)
+{
+	const auto at = [](double x, double z) { return [=](const Point3d& p) { return p + Point3d(x, 0, z); }; };
+	const Shape slab = test_mesh::Slab(30, 20, 4, 6, 4),
+				part = slab.joined(test_mesh::Slab(4, 4, 6, 2, 2).moved(at(-5, -4)))
+	                       .joined(test_mesh::Box(2, 2, 6).moved(at(5, -4)));
+	test_mesh::DoubleMesh m;
+	test_mesh::Fill(m, part);
+	PlaneBox box;
+	box.add({-9, -6});
+	box.add({9, 6});
+	const LabelSpace space(FromAbove());
+	const auto deepest = [&](const Sheet& sheet) {
+		double z = 0;
+		for (const SheetVertex& v : sheet.vertices) z = std::min(z, v.mesh[2]);
+		return z;
+	};
+	const Sheet whole = CollectSheet(m, space, box), shallow = CollectSheet(m, space, box, 5);
+	EXPECT_FALSE(whole.isShallow);
+	EXPECT_EQ(deepest(whole), -10);
+	EXPECT_TRUE(shallow.isShallow);
+	EXPECT_EQ(deepest(shallow), -10)
+		<< "the feet's tops face the viewer, at -4; what reaches up to -9 is there, with its corners";
+	std::set<int> kept;
+	for (const SheetTriangle& t : shallow.triangles) kept.insert(t.face);
+	for (const SheetTriangle& t : whole.triangles) {
+		double nearest = -100;
+		for (const int v : t.vertex) nearest = std::max(nearest, whole.vertices[size_t(v)].mesh[2]);
+		EXPECT_EQ(kept.count(t.face) == 1, t.facing || nearest >= -9) << t.face;
+	}
+	EXPECT_FALSE(CollectSheet(m, space, box, 6.1).isShallow);
+}
+
 TEST(Sheet, TwinsAreTwins)
 {
 	const Sheet sheet = CandidatesOf(test_mesh::Sphere(12, 40, 24), LabelSpace(FromAbove()), 5, 3);

@@ -190,6 +190,19 @@ TEST(Refusal, PartThatShowsItsBack)
 	EXPECT_CODE(Refused(FlatSheet(4), ThreeLetters(), below), FacesAway);
 }
 
+// A letter that finds nothing but a back is told so, however deep that lies.
+TEST(Refusal, LetterOverADeepBack)
+{
+	Shape back = FlatSheet(2).moved([](const Point3d& p) { return p + Point3d(50, 0, -200); });
+	for (auto& f : back.faces) std::swap(f[1], f[2]);
+	const Outline letters = Letters({Rectangle(-5, -2, -3, 2), Rectangle(48.7, -1, 51, 1)});
+	const Error e = Refused(Plate().joined(back), letters);
+	EXPECT_CODE(e, FacesAway);
+	EXPECT_EQ(e.letter, 1);
+	ExpectPlace(e, {50, 0, -200}, 2);
+	EXPECT_CODE(Refused(Plate(), letters), OffSurface);
+}
+
 TEST(Refusal, OverTheBorder)
 {
 	const Outline letters = Letters({Rectangle(-5, -2, -3, 2), Rectangle(18, 1, 22, 3)});  // the sheet ends at 20

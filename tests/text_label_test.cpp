@@ -342,6 +342,36 @@ TEST(Result, RoomIsTheThicknessOfTheWall)
 	EXPECT_EQ(LabelMesh(sheet, ThreeLetters(), FromAbove(), options).room, std::numeric_limits<double>::infinity());
 }
 
+// To measure the room, everything behind the letters is looked at; without, only what they may reach.
+TEST(Result, WhatLiesDeepChangesNothing)
+{
+	const Shape slab = test_mesh::Slab(30, 20, 2.5, 7, 5),
+				ball = test_mesh::Sphere(12, 40, 24).moved([](const Point3d&p) { return p - Point3d(0, 0, 12); });
+	int made = 0;
+	const Shape twoFloors = slab.joined(slab.moved([](const Point3d& p) { return p - Point3d(0, 0, 5); }));
+	for (const Shape& shape : {slab, ball, twoFloors})
+		for (const LabelFrame& frame : {FromAbove(), FromAbovePerspective(60)})
+			for (const double height : {1.0, -1.0, 0.0})
+				for (const ExtrudeAlong along : {ExtrudeAlong::Viewpoint, ExtrudeAlong::SurfaceNormal}) {
+					test_mesh::FloatMesh with, without;
+					test_mesh::Fill(with, shape);
+					test_mesh::Fill(without, shape);
+					LabelOptions options;
+					options.height = height;
+					options.along = along;
+					Error first(ErrorCode::OutOfMemory), second = first;
+					const std::string said = Refusal(without, ThreeLetters(), frame, options, &first);
+					options.measureRoom = true;
+					EXPECT_EQ(Refusal(with, ThreeLetters(), frame, options, &second), said);
+					EXPECT_EQ(first.limit, second.limit);
+					made += said == "no error";
+					const Shape a = test_mesh::ToShape(without), b = test_mesh::ToShape(with);
+					EXPECT_EQ(a.points, b.points);
+					EXPECT_EQ(a.faces, b.faces);
+				}
+	EXPECT_GE(made, 30) << "of 36";
+}
+
 TEST(Result, SameBytesOnEveryRun)
 {
 	std::string first;

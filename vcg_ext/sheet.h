@@ -62,11 +62,15 @@ struct PlaneBox {
 	double height() const { return high[1] - low[1]; }
 };
 
-struct SheetVertex {
-	vcg::Point3d mesh;   ///< mesh coordinates
+/// A point of the surface.
+struct SheetPoint {
+	vcg::Point3d mesh;   ///< mesh coordinates, of a new point not yet rounded
 	vcg::Point3d label;  ///< label space
 	vcg::Point2d plane;  ///< projected to the label plane
-	int index = -1;      ///< index in the mesh
+};
+
+struct SheetVertex : SheetPoint {
+	int index = -1;  ///< index in the mesh
 };
 
 struct SheetTriangle {
@@ -97,6 +101,7 @@ struct Sheet {
 	std::vector<int> flipped;                 ///< triangles changed by FlipCaps (cut_repair.h), ascending
 	double largestCoordinate = 0;             ///< of the candidates' mesh coordinates, in absolute value
 	bool isEmpty = true;                      ///< no face of the mesh has three finite vertices
+	bool isShallow = false;                   ///< some that show their backs were left out, as too deep
 	std::vector<StraddlingTriangle> straddling;
 
 	static int Next(int h) { return h % 3 == 2 ? h - 2 : h + 1; }
@@ -182,11 +187,16 @@ vcg::Point3d PointOf(const MeshType& m, size_t vertex)
 	return {double(p[0]), double(p[1]), double(p[2])};
 }
 
+/// Codes of vertices are looked through by so many at a time.
+using CodeBlock = std::uint64_t;
+constexpr size_t kCodeBlock = sizeof(CodeBlock);
+
 /// One pass over the vertices: where each is seen.
+/// @return #V codes, and Unusable up to a whole block
 template <class MeshType>
 std::vector<std::uint8_t> CodeVertices(const MeshType& m, const LabelSpace& space, const PlaneBox& box)
 {
-	std::vector<std::uint8_t> code(m.vert.size(), Unusable);
+	std::vector<std::uint8_t> code((m.vert.size() + kCodeBlock - 1) / kCodeBlock * kCodeBlock, Unusable);
 	EachChunk(m.vert.size(), ChunkCount(m.vert.size()), [&](size_t, size_t first, size_t last) {
 		const LabelSpace here = space;  // copies that nothing else can change stay in registers
 		const PlaneBox window = box;
@@ -200,17 +210,52 @@ std::vector<std::uint8_t> CodeVertices(const MeshType& m, const LabelSpace& spac
 	return code;
 }
 
+/// A triangle that may meet the box.
+struct FoundTriangle {
+	int face;
+	float nearest;  ///< label space: no corner's z is larger
+	bool facing;
+};
+
 /// What a pass over some of the faces finds.
 struct FoundTriangles {
-	std::vector<SheetTriangle> triangles;  ///< their corners are mesh indices yet
-	std::vector<SheetTriangle> straddling;
+	std::vector<FoundTriangle> triangles;
+	std::vector<int> straddling;                                ///< faces
+	double farthest = std::numeric_limits<double>::infinity();  ///< label space: the least z of what faces the viewer
 	bool isEmpty = true;
 };
 
+/// The mesh indices of a face's corners.
+template <class MeshType>
+std::array<int, 3> CornersOfFace(const MeshType& m, const LabelSpace& space, int face)
+{
+	const auto& f = m.face[size_t(face)];
+	const auto index = [&](int k) { return int(f.cV(k) - m.vert.data()); };
+	return {index(0), index(space.mirrors() ? 2 : 1), index(space.mirrors() ? 1 : 2)};
+}
+
+/// Depth and facing of a triangle.
+template <class MeshType>
+FoundTriangle SeeTriangle(const MeshType& m, const LabelSpace& space, int face, double& farthest)
+{
+	const std::array<int, 3> v = CornersOfFace(m, space, face);
+	std::array<double, 3> z;
+	std::array<vcg::Point2d, 3> p;
+	for (size_t k = 0; k < 3; ++k) {
+		const vcg::Point3d q = space.toLabel(PointOf(m, size_t(v[k])));
+		z[k] = q[2];
+		p[k] = space.project(q);
+	}
+	const bool facing = Orient2d(p[0], p[1], p[2]) > 0;
+	if (facing) farthest = std::min({farthest, z[0], z[1], z[2]});
+	const auto nearest = static_cast<float>(std::max({z[0], z[1], z[2]}));
+	return {face, std::nextafter(nearest, std::numeric_limits<float>::infinity()), facing};
+}
+
 /// One pass over some of the faces: those that may meet the box.
 template <class MeshType>
-FoundTriangles FindTriangles(const MeshType& m, const std::vector<std::uint8_t>& codes, bool mirrors, size_t begin,
-                             size_t end)
+FoundTriangles FindTriangles(const MeshType& m, const LabelSpace& space, const std::vector<std::uint8_t>& codes,
+                             size_t begin, size_t end)
 {
 	FoundTriangles found;
 	const auto isFinite = [](std::uint8_t x) { return !(x & Unusable) || (x & BehindCamera); };
@@ -226,15 +271,13 @@ FoundTriangles FindTriangles(const MeshType& m, const std::vector<std::uint8_t>&
 			anyBeside = true;
 			continue;
 		}
-		std::array<int, 3> v = {int(i), int(j), int(k)};
 		found.isEmpty = found.isEmpty && !(isFinite(a) && isFinite(b) && isFinite(c));
 		if ((a | b | c) & Unusable) {
-			if (((a | b | c) & BehindCamera) && !(a & b & c & BehindCamera)) found.straddling.push_back({v, int(f)});
+			if (((a | b | c) & BehindCamera) && !(a & b & c & BehindCamera)) found.straddling.push_back(int(f));
 			continue;
 		}
 		if (i == j || j == k || k == i) continue;  // a line: its edges pair with each other
-		if (mirrors) std::swap(v[1], v[2]);
-		found.triangles.push_back({v, int(f)});
+		found.triangles.push_back(SeeTriangle(m, space, int(f), found.farthest));
 	}
 	found.isEmpty = found.isEmpty && !anyBeside;
 	return found;
@@ -242,73 +285,100 @@ FoundTriangles FindTriangles(const MeshType& m, const std::vector<std::uint8_t>&
 
 /// One pass over the faces: the candidates, with their mesh indices as corners; marks these as Used.
 template <class MeshType>
-void CollectTriangles(const MeshType& m, const LabelSpace& space, std::vector<std::uint8_t>& code, Sheet& sheet)
+void CollectTriangles(const MeshType& m, const LabelSpace& space, double depth, std::vector<std::uint8_t>& code,
+                      Sheet& sheet)
 {
+	constexpr double infinity = std::numeric_limits<double>::infinity();
 	std::vector<FoundTriangles> found(ChunkCount(m.face.size()));
 	EachChunk(m.face.size(), found.size(), [&](size_t chunk, size_t first, size_t last) {
-		found[chunk] = FindTriangles(m, code, space.mirrors(), first, last);
+		found[chunk] = FindTriangles(m, space, code, first, last);
 	});
-	for (FoundTriangles& part : found) {
+	double farthest = infinity;
+	for (const FoundTriangles& part : found) farthest = std::min(farthest, part.farthest);
+	const double deepest = farthest < infinity ? farthest - depth : -infinity;
+	const auto isCandidate = [&](const FoundTriangle& t) { return t.facing || t.nearest >= deepest; };
+	std::ptrdiff_t count = 0;
+	for (const FoundTriangles& part : found)
+		count += std::count_if(part.triangles.begin(), part.triangles.end(), isCandidate);
+	sheet.triangles.reserve(size_t(count));
+	for (const FoundTriangles& part : found) {
 		sheet.isEmpty = sheet.isEmpty && part.isEmpty;
-		for (const SheetTriangle& t : part.straddling) {
+		for (const int face : part.straddling) {
 			StraddlingTriangle s;
-			s.face = t.face;
-			for (size_t k = 0; k < 3; ++k) {
-				s.mesh[k] = PointOf(m, size_t(t.vertex[k]));
-				s.label[k] = space.toLabel(s.mesh[k]);
+			s.face = face;
+			for (int k = 0; k < 3; ++k) {
+				s.mesh[size_t(k)] = PointOf(m, size_t(m.face[size_t(face)].cV(k) - m.vert.data()));
+				s.label[size_t(k)] = space.toLabel(s.mesh[size_t(k)]);
 			}
 			if (IsFinite(s.label[0]) && IsFinite(s.label[1]) && IsFinite(s.label[2])) sheet.straddling.push_back(s);
 		}
-		if (sheet.triangles.empty()) sheet.triangles.swap(part.triangles);
-		else sheet.triangles.insert(sheet.triangles.end(), part.triangles.begin(), part.triangles.end());
+		for (const FoundTriangle& t : part.triangles) {
+			if (!isCandidate(t)) {
+				sheet.isShallow = true;
+				continue;
+			}
+			sheet.triangles.push_back({CornersOfFace(m, space, t.face), t.face, t.facing});
+			for (const int v : sheet.triangles.back().vertex) code[size_t(v)] |= Used;
+		}
 	}
-	for (const SheetTriangle& t : sheet.triangles)
-		for (const int v : t.vertex) code[size_t(v)] |= Used;
+}
+
+/// How many of eight codes are Used.
+inline int CountUsed(CodeBlock codes)
+{
+	constexpr CodeBlock ones = 0x0101010101010101;
+	return int((((codes / Used) & ones) * ones) >> (8 * (kCodeBlock - 1)));
 }
 
 /// The vertices of the candidates, numbered anew in the order of the mesh.
 template <class MeshType>
 void CollectVertices(const MeshType& m, const LabelSpace& space, const std::vector<std::uint8_t>& code, Sheet& sheet)
 {
-	sheet.vertices.reserve(sheet.triangles.size() / 2 + sheet.triangles.size() / 8 + 3);  // of a surface, about half
-	// Written and read for used vertices only: of a large mesh, most of this memory is never touched.
-	const std::unique_ptr<int[]> number(new int[code.size()]);
-	const auto add = [&](size_t index) {
-		number[index] = int(sheet.vertices.size());
-		const vcg::Point3d p = PointOf(m, index), q = space.toLabel(p);
-		sheet.vertices.push_back({p, q, space.project(q), int(index)});
-		for (int i = 0; i < 3; ++i) sheet.largestCoordinate = std::max(sheet.largestCoordinate, std::abs(p[i]));
+	const auto block = [&](size_t i) {
+		CodeBlock codes;
+		std::memcpy(&codes, code.data() + i * kCodeBlock, kCodeBlock);
+		return codes;
 	};
-	constexpr size_t stride = sizeof(std::uint64_t);
-	for (size_t first = 0; first < code.size(); first += stride) {
-		const size_t end = std::min(first + stride, code.size());
-		if (end - first == stride) {
-			std::uint64_t eight;
-			std::memcpy(&eight, code.data() + first, stride);
-			if (!(eight & 0x0101010101010101 * Used)) continue;
+	std::vector<int> before(code.size() / kCodeBlock);  // how many are used in earlier blocks
+	int count = 0;
+	for (size_t i = 0; i < before.size(); ++i) {
+		before[i] = count;
+		count += CountUsed(block(i));
+	}
+	sheet.vertices.reserve(size_t(count));
+	for (size_t i = 0; i < before.size(); ++i) {
+		if (!CountUsed(block(i))) continue;
+		for (size_t v = i * kCodeBlock; v < (i + 1) * kCodeBlock; ++v) {
+			if (!(code[v] & Used)) continue;
+			const vcg::Point3d p = PointOf(m, v), q = space.toLabel(p);
+			sheet.vertices.push_back({{p, q, space.project(q)}, int(v)});
+			for (int k = 0; k < 3; ++k) sheet.largestCoordinate = std::max(sheet.largestCoordinate, std::abs(p[k]));
 		}
-		for (size_t v = first; v < end; ++v)
-			if (code[v] & Used) add(v);
 	}
-	for (SheetTriangle& t : sheet.triangles) {
-		for (int& v : t.vertex) v = number[size_t(v)];
-		t.facing = Orient2d(sheet.plane(t.vertex[0]), sheet.plane(t.vertex[1]), sheet.plane(t.vertex[2])) > 0;
-	}
+	for (SheetTriangle& t : sheet.triangles)
+		for (int& v : t.vertex) {
+			const size_t index = size_t(v), first = index / kCodeBlock * kCodeBlock;
+			v = before[index / kCodeBlock];
+			for (size_t i = first; i < index; ++i) v += code[i] / Used;
+		}
 }
 
 }  // namespace detail
 
 /// Collect the triangles whose projection meets a box of the label plane; one linear pass over vertices and faces.
+/// @param[in] depth  world units: of those that show their backs, what lies whole further behind all that face the viewer is left
+///                   out; the underside of a part is of no interest to a label on its top
 /// @return candidates in order of their face index; triangles with a vertex that is not finite or lies behind the centre
 ///         of projection are left out
 template <class MeshType>
-Sheet CollectSheet(const MeshType& m, const LabelSpace& space, const PlaneBox& box)
+Sheet CollectSheet(const MeshType& m, const LabelSpace& space, const PlaneBox& box,
+                   double depth = std::numeric_limits<double>::infinity())
 {
 	Sheet sheet;
 	sheet.box = box;
 	sheet.mayFlip = !vcg::tri::HasPerWedgeTexCoord(m);
 	std::vector<std::uint8_t> code = detail::CodeVertices(m, space, box);
-	detail::CollectTriangles(m, space, code, sheet);
+	detail::CollectTriangles(m, space, depth, code, sheet);
 	detail::CollectVertices(m, space, code, sheet);
 	detail::PairHalfEdges(sheet);
 	detail::BuildVertexFans(sheet);

@@ -123,12 +123,13 @@ struct PlannedLabel {
 	bool survivesFloat32 = true;
 };
 
+/// @param[in] depth  world units: how far behind the surface the label may reach
 template <class MeshType>
 PlannedLabel PlanInBox(const MeshType& m, const LabelSpace& space, const Outline& outline, const PlaneBox& box,
-                       const LabelOptions& options)
+                       double depth, const LabelOptions& options)
 {
 	PlannedLabel p;
-	p.sheet = CollectSheet(m, space, box);
+	p.sheet = CollectSheet(m, space, box, depth);
 	if (p.sheet.isEmpty) throw Error(ErrorCode::EmptyMesh, "no face with finite corners");
 	double diagonal = 0;
 	if (ExceedsPart(m, space, p.sheet, std::abs(options.height), diagonal))
@@ -136,8 +137,10 @@ PlannedLabel PlanInBox(const MeshType& m, const LabelSpace& space, const Outline
 	try {
 		p.plan = LabelPlanner(space, p.sheet, Precision{true}, options).plan(outline);
 	} catch (const Error& e) {
+		if (e.code == ErrorCode::OffSurface && p.sheet.isShallow)  // or over a surface that shows its back
+			return PlanInBox(m, space, outline, box, std::numeric_limits<double>::infinity(), options);
 		if (!std::is_same_v<typename MeshType::ScalarType, double> || e.code != ErrorCode::TooFine) throw;
-		p.sheet = CollectSheet(m, space, box);
+		p.sheet = CollectSheet(m, space, box, depth);
 		p.plan = LabelPlanner(space, p.sheet, Precision{false}, options).plan(outline);
 		p.survivesFloat32 = false;
 	}
@@ -147,13 +150,13 @@ PlannedLabel PlanInBox(const MeshType& m, const LabelSpace& space, const Outline
 /// What the label would reach if it were raised by no more than a refusal says will do; empty when that can't be told.
 template <class MeshType>
 PlaneBox ReachAtLimit(const MeshType& m, const LabelSpace& space, const Outline& outline, const PlaneBox& box,
-                      LabelOptions options, const Error& refusal)
+                      double depth, LabelOptions options, const Error& refusal)
 {
 	const bool isByHeight = refusal.code == ErrorCode::HitsSurface || refusal.code == ErrorCode::HitsItself;
 	if (!isByHeight || !(refusal.limit > 0)) return {};
 	options.height = std::copysign(refusal.limit, options.height);
 	try {
-		return ReachOf(space, PlanInBox(m, space, outline, box, options).plan.patch);
+		return ReachOf(space, PlanInBox(m, space, outline, box, depth, options).plan.patch);
 	} catch (const Error& e) {
 		if (e.code == ErrorCode::Cancelled) throw;
 		return {};
@@ -173,8 +176,10 @@ PlannedLabel PlanOnMesh(const MeshType& m, const LabelSpace& space, const Outlin
 	box.grow((straightUp ? 0 : std::abs(options.height)) + room);
 	for (;;) {
 		PlaneBox reach;
+		const double depth =
+			options.measureRoom ? std::numeric_limits<double>::infinity() : std::abs(options.height) + 2 * room;
 		try {
-			PlannedLabel p = PlanInBox(m, space, outline, box, options);
+			PlannedLabel p = PlanInBox(m, space, outline, box, depth, options);
 			if (p.plan.resolution > room) {  // a contour may have moved to an edge whose other faces were not collected
 				room += 2 * p.plan.resolution;
 				box.grow(2 * p.plan.resolution);
@@ -184,7 +189,7 @@ PlannedLabel PlanOnMesh(const MeshType& m, const LabelSpace& space, const Outlin
 			if (staysInSight || box.holds(reach)) return p;
 		} catch (const Error& e) {
 			if (staysInSight) throw;
-			reach = ReachAtLimit(m, space, outline, box, options, e);
+			reach = ReachAtLimit(m, space, outline, box, depth, options, e);
 			if (box.holds(reach)) throw;
 		}
 		box.add(reach.low);
