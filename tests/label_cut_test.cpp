@@ -18,15 +18,17 @@ Shape Ball()
 	return test_mesh::Sphere(12, 40, 24).moved([](const Point3d& p) { return p - Point3d(0, 0, 12); });
 }
 
-double PlaneArea(const CutLabel& cut, const IndexTriangle& t)
+const Point2d& PlaneOf(const CutExample& e, int point) { return e.cut.points.at(e.sheet, point).plane; }
+
+double PlaneArea(const CutExample& e, const IndexTriangle& t)
 {
-	const Point2d& a = cut.points[size_t(t[0])].plane;
-	return ((cut.points[size_t(t[1])].plane - a) ^ (cut.points[size_t(t[2])].plane - a)) / 2;
+	const Point2d& a = PlaneOf(e, t[0]);
+	return ((PlaneOf(e, t[1]) - a) ^ (PlaneOf(e, t[2]) - a)) / 2;
 }
 
-Point2d Middle(const CutLabel& cut, const IndexTriangle& t)
+Point2d Middle(const CutExample& e, const IndexTriangle& t)
 {
-	return (cut.points[size_t(t[0])].plane + cut.points[size_t(t[1])].plane + cut.points[size_t(t[2])].plane) / 3;
+	return (PlaneOf(e, t[0]) + PlaneOf(e, t[1]) + PlaneOf(e, t[2])) / 3;
 }
 
 void ExpectCutAlongOutline(const CutExample& e, const Outline& outline)
@@ -35,20 +37,20 @@ void ExpectCutAlongOutline(const CutExample& e, const Outline& outline)
 	double inside = 0;
 	std::map<std::pair<int, int>, Side> edges;
 	for (const CutTriangle& t : e.cut.triangles) {
-		const double area = PlaneArea(e.cut, t.point);
+		const double area = PlaneArea(e, t.point);
 		EXPECT_GT(area, 0);
 		areaOf[t.parent] += area;
 		if (t.side == Side::Inside) inside += area;
-		if (ContourDistance(outline, Middle(e.cut, t.point)) > 1e-5) {
-			EXPECT_EQ(Winding(outline, Middle(e.cut, t.point)), t.side == Side::Inside ? 1 : 0);
+		if (ContourDistance(outline, Middle(e, t.point)) > 1e-5) {
+			EXPECT_EQ(Winding(outline, Middle(e, t.point)), t.side == Side::Inside ? 1 : 0);
 		}
 		for (size_t k = 0; k < 3; ++k)
 			EXPECT_TRUE(edges.emplace(std::make_pair(t.point[k], t.point[(k + 1) % 3]), t.side).second);
 	}
 	for (const int t : e.cut.within) {
 		const auto& v = e.sheet.triangles[size_t(t)].vertex;
-		inside += PlaneArea(e.cut, v);
-		EXPECT_EQ(Winding(outline, Middle(e.cut, v)), 1);
+		inside += PlaneArea(e, v);
+		EXPECT_EQ(Winding(outline, Middle(e, v)), 1);
 		for (size_t k = 0; k < 3; ++k)
 			EXPECT_TRUE(edges.emplace(std::make_pair(v[k], v[(k + 1) % 3]), Side::Inside).second);
 	}
@@ -57,7 +59,7 @@ void ExpectCutAlongOutline(const CutExample& e, const Outline& outline)
 	ASSERT_EQ(areaOf.size(), e.cut.touched.size());
 	for (const int t : e.cut.touched)
 		if (e.sheet.triangles[size_t(t)].facing) {
-			const double whole = PlaneArea(e.cut, e.sheet.triangles[size_t(t)].vertex);
+			const double whole = PlaneArea(e, e.sheet.triangles[size_t(t)].vertex);
 			EXPECT_NEAR(areaOf[t], whole, 1e-9 * whole);
 		}
 	// the contours are closed and have the letter on their left, the rest on their right
@@ -87,14 +89,15 @@ TEST(Cut, FollowsTheOutline)
 TEST(Cut, PointsAreMixedFromCorners)
 {
 	const CutExample e(Ball(), ThreeLetters(), FromAbovePerspective(60));
-	ASSERT_GT(e.cut.points.size(), e.sheet.vertices.size());
-	for (const CutPoint& p : e.cut.points) {
+	ASSERT_FALSE(e.cut.points.added.empty());
+	for (const CutPoint& p : e.cut.points.added) {
+		const auto& [parent, weight] = p.mixture;
 		Point3d mesh(0, 0, 0);
 		double sum = 0;
 		for (size_t i = 0; i < 3; ++i) {
-			mesh += e.sheet.vertices[size_t(p.parent[i])].mesh * p.weight[i];
-			sum += p.weight[i];
-			EXPECT_GE(p.weight[i], -1e-9);
+			mesh += e.sheet.vertices[size_t(parent[i])].mesh * weight[i];
+			sum += weight[i];
+			EXPECT_GE(weight[i], -1e-9);
 		}
 		EXPECT_NEAR(sum, 1, 1e-12);
 		EXPECT_NEAR((mesh - p.mesh).Norm(), 0, 1e-12);

@@ -43,12 +43,14 @@ TEST(Plan, KeepsItsResolution)
 	const double ulp = FloatUlp(shape);
 	for (int n = 0; n < 20; ++n) {
 		const Outline letters = Moved(ThreeLetters(), 1, 0.7 * n * ulp, 1.1 * n * ulp);
-		const LabelPlan plan = Plan(shape, letters, {true});
+		const LabelSpace space(FromAbove());
+		Sheet sheet = CandidatesOf(shape, space, 40, 40);
+		const LabelPlan plan = LabelPlanner(space, sheet, {true}, {}).plan(letters);
 		EXPECT_GE(plan.attempts, 1);
 		EXPECT_GT(plan.resolution, 0);
 		EXPECT_LT(plan.resolution, 100 * ulp);
 		for (const ContourPiece& p : plan.cut.pieces)
-			EXPECT_LE(ContourDistance(letters, plan.cut.points[size_t(p.from)].plane), plan.resolution);
+			EXPECT_LE(ContourDistance(letters, plan.cut.points.at(sheet, p.from).plane), plan.resolution);
 		EXPECT_NEAR(plan.surfaceArea, Area(letters), plan.resolution * 70);  // the letters' perimeter is 66
 		EXPECT_EQ(plan.stretch, 1);
 	}

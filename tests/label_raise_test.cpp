@@ -84,8 +84,8 @@ TEST(Raise, GoesAlongTheSurfacesNormal)
 /// Whether new points of the cut lie on an edge of the sheet.
 bool IsSplit(const CutExample& e, const std::pair<int, int>& edge)
 {
-	for (size_t i = e.sheet.vertices.size(); i < e.cut.points.size(); ++i) {
-		const auto& parent = e.cut.points[i].parent;
+	for (const CutPoint& p : e.cut.points.added) {
+		const auto& parent = p.mixture.parent;
 		if (std::minmax(parent[0], parent[1]) == std::pair<const int&, const int&>(edge.first, edge.second) &&
 		    parent[2] == parent[1])
 			return true;

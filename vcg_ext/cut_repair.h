@@ -110,7 +110,7 @@ private:
 			if (t.parent < 0 || !has(t.point, b) || has(t.point, a) || !sheet_.triangles[size_t(t.parent)].facing)
 				continue;
 			std::array<vcg::Point2d, 3> p;
-			for (size_t k = 0; k < 3; ++k) p[k] = cut_.points[size_t(t.point[k] == b ? a : t.point[k])].plane;
+			for (size_t k = 0; k < 3; ++k) p[k] = cut_.points.at(sheet_, t.point[k] == b ? a : t.point[k]).plane;
 			if (Orient2d(p[0], p[1], p[2]) <= 0) return false;
 		}
 		return true;
@@ -133,19 +133,26 @@ private:
 
 	void dropUnusedPoints()
 	{
-		std::vector<int> number(cut_.points.size(), -1);
+		const int old = int(sheet_.vertices.size());
+		std::vector<CutPoint>& added = cut_.points.added;
+		std::vector<int> number(added.size(), -1);
 		for (const CutTriangle& t : cut_.triangles)
-			for (const int v : t.point) number[size_t(v)] = 0;
+			for (const int v : t.point)
+				if (v >= old) number[size_t(v - old)] = 0;
 		size_t kept = 0;
 		for (size_t i = 0; i < number.size(); ++i) {
-			if (i >= sheet_.vertices.size() && number[i] < 0) continue;
-			cut_.points[kept] = cut_.points[i];
-			number[i] = int(kept++);
+			if (number[i] < 0) continue;
+			added[kept] = added[i];
+			number[i] = old + int(kept++);
 		}
-		cut_.points.resize(kept);
+		added.resize(kept);
+		const auto renumber = [&](int& v) { v = v < old ? v : number[size_t(v - old)]; };
 		for (CutTriangle& t : cut_.triangles)
-			for (int& v : t.point) v = number[size_t(v)];
-		for (ContourPiece& p : cut_.pieces) p = {number[size_t(p.from)], number[size_t(p.to)], p.halfEdge};
+			for (int& v : t.point) renumber(v);
+		for (ContourPiece& p : cut_.pieces) {
+			renumber(p.from);
+			renumber(p.to);
+		}
 	}
 
 	const Sheet& sheet_;
@@ -164,7 +171,7 @@ inline void CollapseShortEdges(const Sheet& sheet, CutLabel& cut, double shortes
 			for (size_t k = 0; k < 3; ++k) {
 				const int a = t.point[k], b = t.point[(k + 1) % 3];
 				if (std::max(a, b) < int(sheet.vertices.size())) continue;
-				if ((cut.points[size_t(a)].mesh - cut.points[size_t(b)].mesh).SquaredNorm() < shortest * shortest)
+				if ((cut.points.at(sheet, a).mesh - cut.points.at(sheet, b).mesh).SquaredNorm() < shortest * shortest)
 					edges.emplace_back(std::min(a, b), std::max(a, b));
 			}
 		if (edges.empty()) return;

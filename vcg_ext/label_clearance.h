@@ -103,7 +103,7 @@ inline double FarthestZ(const Sheet& sheet, const CutLabel& cut)
 {
 	double least = std::numeric_limits<double>::infinity();
 	const auto add = [&](const IndexTriangle& t) {
-		for (const int v : t) least = std::min(least, cut.points[size_t(v)].label[2]);
+		for (const int v : t) least = std::min(least, cut.points.at(sheet, v).label[2]);
 	};
 	for (const CutTriangle& t : cut.triangles)
 		if (t.side == Side::Inside) add(t.point);
@@ -121,12 +121,13 @@ struct LetterSurface {
 	LetterSurface(const Sheet& sheet, const CutLabel& cut)
 	{
 		for (const CutTriangle& t : cut.triangles)
-			if (t.side == Side::Inside) add(cut, t.point, t.parent);
-		for (const int t : cut.within) add(cut, sheet.triangles[size_t(t)].vertex, t);
+			if (t.side == Side::Inside) add(sheet, cut, t.point, t.parent);
+		for (const int t : cut.within) add(sheet, cut, sheet.triangles[size_t(t)].vertex, t);
 	}
-	void add(const CutLabel& cut, const IndexTriangle& t, int from)
+	void add(const Sheet& sheet, const CutLabel& cut, const IndexTriangle& t, int from)
 	{
-		const CutPoint &a = cut.points[size_t(t[0])], &b = cut.points[size_t(t[1])], &c = cut.points[size_t(t[2])];
+		const SheetPoint &a = cut.points.at(sheet, t[0]), &b = cut.points.at(sheet, t[1]),
+						 &c = cut.points.at(sheet, t[2]);
 		plane.push_back({a.plane, b.plane, c.plane});
 		parent.push_back(from);
 		farthest.push_back(std::min({a.label[2], b.label[2], c.label[2]}));

@@ -18,7 +18,7 @@ struct CutTriangle {
 };
 
 struct CutLabel {
-	std::vector<CutPoint> points;        ///< #V sheet vertices first, in their order, then the new ones
+	CutPoints points;
 	std::vector<CutTriangle> triangles;  ///< what replaces the sheet triangles in `touched`
 	std::vector<int> touched;            ///< sheet triangles that are cut up, ascending
 	std::vector<int> within;             ///< sheet triangles that lie wholly within a letter and are not cut, ascending
@@ -79,10 +79,14 @@ inline CutLabel LabelCutter::cut(const Outline& outline, const std::vector<int>&
 	paths_.lay(outline, seeds);
 	collectTouched();
 	cutTriangles();
-	takeSides(InsideSearch(sheet_, paths_.pieces, out_.touched, borderPieces_, paths_.points.size()).run(regionSide_));
+	takeSides(InsideSearch(sheet_, paths_.pieces, out_.touched, borderPieces_, size_t(paths_.points.count(sheet_)))
+	              .run(regionSide_));
 	out_.points = std::move(paths_.points);
 	out_.pieces = std::move(paths_.pieces);
 	requireArea(outline);
+	borderPieces_ = std::vector<BorderPiece>();  // memory that those who go on with the cut can use
+	regionSide_ = std::vector<Side>();
+	triangleRegion_ = std::vector<int>();
 	return std::move(out_);
 }
 
@@ -113,8 +117,8 @@ inline void LabelCutter::cutTriangles()
 
 inline vcg::Point2d LabelCutter::casePlane(int point, int triangle) const
 {
-	const CutPoint& p = paths_.points[size_t(point)];
-	if (sheet_.triangles[size_t(triangle)].facing) return p.plane;
+	if (sheet_.triangles[size_t(triangle)].facing) return paths_.points.at(sheet_, point).plane;
+	const Mixture p = paths_.points.mixtureOf(sheet_, point);
 	const auto& corner = sheet_.triangles[size_t(triangle)].vertex;
 	vcg::Point2d plane(0, 0);
 	for (size_t i = 0; i < 3; ++i)
@@ -126,7 +130,7 @@ inline vcg::Point2d LabelCutter::casePlane(int point, int triangle) const
 inline int LabelCutter::addCasePoint(int point, int triangle)
 {
 	case_.points.push_back(casePlane(point, triangle));
-	caseSpace_.push_back(paths_.points[size_t(point)].label);
+	caseSpace_.push_back(paths_.points.at(sheet_, point).label);
 	casePoint_.push_back(point);
 	return int(casePoint_.size()) - 1;
 }
@@ -204,7 +208,7 @@ inline void LabelCutter::takeSides(const std::vector<Side>& side)
 	for (size_t t = 0; t < sheet_.triangles.size(); ++t)
 		if (side[regionSide_.size() + t] == Side::Inside) out_.within.push_back(int(t));
 	const auto add = [&](const IndexTriangle& t) {
-		const auto at = [&](size_t k) { return paths_.points[size_t(t[k])].plane; };
+		const auto at = [&](size_t k) { return paths_.points.at(sheet_, t[k]).plane; };
 		out_.insideArea += ((at(1) - at(0)) ^ (at(2) - at(0))) / 2;
 	};
 	for (const CutTriangle& t : out_.triangles)
@@ -218,7 +222,7 @@ inline void LabelCutter::requireArea(const Outline& outline) const
 	constexpr double rounding = 1e-9, snaps = 8;
 	double perimeter = 0;
 	for (const ContourPiece& p : out_.pieces)
-		perimeter += (out_.points[size_t(p.to)].plane - out_.points[size_t(p.from)].plane).Norm();
+		perimeter += (out_.points.at(sheet_, p.to).plane - out_.points.at(sheet_, p.from).plane).Norm();
 	const double area = Area(outline), allowed = rounding * area + snaps * snap_ * perimeter;
 	if (!(std::abs(out_.insideArea - area) <= allowed))
 		throw PlacementConflict{"the letters do not keep their area", outline.contours[0].points[0],

@@ -11,13 +11,32 @@
 
 namespace vcg::textlabel {
 
-/// A point of the cut sheet: one of its vertices, or new.
-struct CutPoint {
-	vcg::Point2d plane;            ///< label plane
-	vcg::Point3d label;            ///< label space
-	vcg::Point3d mesh;             ///< mesh coordinates, not yet rounded
-	std::array<int, 3> parent;     ///< sheet vertices it is a mixture of
+/// Which vertices of the sheet a point is a mixture of.
+struct Mixture {
+	std::array<int, 3> parent;     ///< sheet vertices
 	std::array<double, 3> weight;  ///< in space; sum to 1
+};
+
+/// A new point of the cut sheet.
+struct CutPoint : SheetPoint {
+	Mixture mixture;
+};
+
+/// The points of a cut sheet under one number each: its vertices first, in their order, then the new ones.
+struct CutPoints {
+	std::vector<CutPoint> added;
+
+	int count(const Sheet& sheet) const { return int(sheet.vertices.size() + added.size()); }
+	const SheetPoint& at(const Sheet& sheet, int point) const
+	{
+		const size_t i = size_t(point), old = sheet.vertices.size();
+		return i < old ? static_cast<const SheetPoint&>(sheet.vertices[i]) : added[i - old];
+	}
+	Mixture mixtureOf(const Sheet& sheet, int point) const
+	{
+		const size_t i = size_t(point), old = sheet.vertices.size();
+		return i < old ? Mixture{{point, point, point}, {1, 0, 0}} : added[i - old].mixture;
+	}
 };
 
 /// A piece of a contour; the inside of the letter lies to the left of from-to.
@@ -55,14 +74,13 @@ public:
 	/// The triangles that contours cross or touch, as far as they were laid; also when lay() threw.
 	std::vector<int> visited() const;
 
-	std::vector<CutPoint> points;       ///< #V sheet vertices first, in their order, then the new ones
+	CutPoints points;
 	std::vector<ContourPiece> pieces;   ///< of all contours
 	std::vector<EdgePoint> edgePoints;  ///< sorted by half-edge and along it
 	std::vector<ContourChain> chains;   ///< sorted by triangle
 	std::vector<int> chainPoints;
 
 private:
-	void addSheetVertices();
 	int pointOf(const PathNode& node);
 	CutPoint mix(const PathNode& node) const;
 	void sortEdgePoints();
@@ -80,7 +98,7 @@ private:
 
 inline void LabelPaths::lay(const Outline& outline, const std::vector<int>& seeds)
 {
-	addSheetVertices();
+	onContour_.assign(sheet_.vertices.size(), 0);
 	for (size_t c = 0; c < outline.contours.size(); ++c) {
 		paths_.push_back(march_.march(outline.contours[c].points, seeds[c]));
 		const SheetPath& path = paths_.back();
@@ -110,16 +128,6 @@ inline std::vector<int> LabelPaths::visited() const
 	return triangles;
 }
 
-inline void LabelPaths::addSheetVertices()
-{
-	points.reserve(sheet_.vertices.size() + sheet_.vertices.size() / 4);
-	for (int v = 0; v < int(sheet_.vertices.size()); ++v) {
-		const SheetVertex& s = sheet_.vertices[size_t(v)];
-		points.push_back({s.plane, s.label, s.mesh, {v, v, v}, {1, 0, 0}});
-	}
-	onContour_.assign(sheet_.vertices.size(), 0);
-}
-
 inline int LabelPaths::pointOf(const PathNode& node)
 {
 	if (node.kind == PathNode::OnVertex) {
@@ -127,9 +135,9 @@ inline int LabelPaths::pointOf(const PathNode& node)
 		onContour_[size_t(node.where)] = 1;
 		return node.where;
 	}
-	const int point = int(points.size());
+	const int point = points.count(sheet_);
 	if (node.kind == PathNode::OnEdge) edgePoints.push_back({node.where, node.along, point});
-	points.push_back(mix(node));
+	points.added.push_back(mix(node));
 	return point;
 }
 
@@ -141,18 +149,17 @@ inline CutPoint LabelPaths::mix(const PathNode& node) const
 		const int a = sheet_.from(node.where), b = sheet_.to(node.where);
 		const double ka = (1 - node.along) * space_.magnification(sheet_.vertices[size_t(a)].label),
 					 kb = node.along * space_.magnification(sheet_.vertices[size_t(b)].label);
-		p.parent = {a, b, b};
-		p.weight = {ka / (ka + kb), kb / (ka + kb), 0};
+		p.mixture = {{a, b, b}, {ka / (ka + kb), kb / (ka + kb), 0}};
 	} else {
 		const vcg::Point3d w = SpaceWeights(space_, sheet_, node.where, node.plane);
-		p.parent = sheet_.triangles[size_t(node.where)].vertex;
-		p.weight = {w[0], w[1], w[2]};
+		p.mixture = {sheet_.triangles[size_t(node.where)].vertex, {w[0], w[1], w[2]}};
 	}
 	// as an offset from one corner: a coordinate that all corners share comes out exactly
-	const SheetVertex &a = sheet_.vertices[size_t(p.parent[0])], &b = sheet_.vertices[size_t(p.parent[1])],
-					  &c = sheet_.vertices[size_t(p.parent[2])];
-	p.mesh = a.mesh + (b.mesh - a.mesh) * p.weight[1] + (c.mesh - a.mesh) * p.weight[2];
-	p.label = a.label + (b.label - a.label) * p.weight[1] + (c.label - a.label) * p.weight[2];
+	const auto& [parent, weight] = p.mixture;
+	const SheetVertex &a = sheet_.vertices[size_t(parent[0])], &b = sheet_.vertices[size_t(parent[1])],
+					  &c = sheet_.vertices[size_t(parent[2])];
+	p.mesh = a.mesh + (b.mesh - a.mesh) * weight[1] + (c.mesh - a.mesh) * weight[2];
+	p.label = a.label + (b.label - a.label) * weight[1] + (c.label - a.label) * weight[2];
 	return p;
 }
 
@@ -166,7 +173,7 @@ inline void LabelPaths::sortEdgePoints()
 	constexpr double apart = 0.25;  // of snap: closer points would not survive the rounding of coordinates
 	for (size_t i = 1; i < edgePoints.size(); ++i) {
 		const EdgePoint &a = edgePoints[i - 1], &b = edgePoints[i];
-		const vcg::Point2d &pa = points[size_t(a.point)].plane, &pb = points[size_t(b.point)].plane;
+		const vcg::Point2d &pa = points.at(sheet_, a.point).plane, &pb = points.at(sheet_, b.point).plane;
 		if (a.halfEdge == b.halfEdge && (pb - pa).SquaredNorm() < snap_ * snap_ * apart * apart)
 			throw PlacementConflict{"two contour pieces cross an edge in one place", pb};
 	}

@@ -285,9 +285,9 @@ inline void LabelPlanner::measureSurface(LabelPlan& plan) const
 				.measured(stretch, options_.maxStretch);
 	}
 	for (const IndexTriangle& t : detail::InsideTriangles(sheet_, plan.cut)) {
-		const vcg::Point3d& a = plan.cut.points[size_t(t[0])].label;
+		const vcg::Point3d& a = plan.cut.points.at(sheet_, t[0]).label;
 		plan.surfaceArea +=
-			((plan.cut.points[size_t(t[1])].label - a) ^ (plan.cut.points[size_t(t[2])].label - a)).Norm() / 2;
+			((plan.cut.points.at(sheet_, t[1]).label - a) ^ (plan.cut.points.at(sheet_, t[2]).label - a)).Norm() / 2;
 	}
 }
 

@@ -19,9 +19,8 @@ enum class FaceKind : signed char { Outside, Top, Wall };
 
 /// A vertex that the label makes.
 struct PatchVertex {
-	vcg::Point3d mesh;          ///< mesh coordinates, not yet rounded
-	std::array<int, 3> parent;  ///< sheet vertices whose attributes it mixes
-	std::array<double, 3> weight;
+	vcg::Point3d mesh;  ///< mesh coordinates, not yet rounded
+	Mixture mixture;    ///< of whose attributes it has its own
 	int ground = -1;  ///< the vertex over which it is raised, numbered as in PatchFace; -1 when it lies in the surface
 };
 
@@ -62,13 +61,14 @@ inline std::vector<IndexTriangle> InsideTriangles(const Sheet& sheet, const CutL
 }
 
 /// Unit normals of the letters' surface in label space, averaged over neighbours so that facets don't show; zero elsewhere.
-inline std::vector<vcg::Point3d> SmoothNormals(const CutLabel& cut, const std::vector<IndexTriangle>& inside)
+inline std::vector<vcg::Point3d> SmoothNormals(const Sheet& sheet, const CutLabel& cut,
+                                               const std::vector<IndexTriangle>& inside)
 {
 	constexpr int rounds = 4;  // a noisy scan's normals settle; a flat face's do not change
-	std::vector<vcg::Point3d> normal(cut.points.size(), vcg::Point3d(0, 0, 0)), sum;
+	std::vector<vcg::Point3d> normal(size_t(cut.points.count(sheet)), vcg::Point3d(0, 0, 0)), sum;
 	for (const IndexTriangle& t : inside) {
-		const vcg::Point3d& a = cut.points[size_t(t[0])].label;
-		const vcg::Point3d n = (cut.points[size_t(t[1])].label - a) ^ (cut.points[size_t(t[2])].label - a);
+		const vcg::Point3d& a = cut.points.at(sheet, t[0]).label;
+		const vcg::Point3d n = (cut.points.at(sheet, t[1]).label - a) ^ (cut.points.at(sheet, t[2]).label - a);
 		for (const int v : t) normal[size_t(v)] += n;
 	}
 	for (int round = 0; round <= rounds; ++round) {
@@ -110,18 +110,20 @@ inline LabelPatch RaiseLabel(const LabelSpace& space, const Sheet& sheet, const 
 {
 	LabelPatch patch;
 	const int old = int(sheet.vertices.size());
-	for (size_t i = size_t(old); i < cut.points.size(); ++i)
-		patch.vertices.push_back({cut.points[i].mesh, cut.points[i].parent, cut.points[i].weight, -1});
-	std::vector<int> top(cut.points.size());
+	const size_t walls = height == 0 ? 0 : cut.pieces.size();  // twice as many faces
+	patch.vertices.reserve(cut.points.added.size() + walls);
+	patch.faces.reserve(cut.triangles.size() + cut.within.size() + sheet.flipped.size() + 2 * walls);
+	for (const CutPoint& p : cut.points.added) patch.vertices.push_back({p.mesh, p.mixture, -1});
+	std::vector<int> top(size_t(cut.points.count(sheet)));
 	for (size_t i = 0; i < top.size(); ++i) top[i] = int(i);
 	patch.isFlat = height == 0;
 
 	const std::vector<IndexTriangle> inside = detail::InsideTriangles(sheet, cut);
 	if (height != 0) {
 		std::vector<vcg::Point3d> normal;
-		if (along == ExtrudeAlong::SurfaceNormal) normal = detail::SmoothNormals(cut, inside);
+		if (along == ExtrudeAlong::SurfaceNormal) normal = detail::SmoothNormals(sheet, cut, inside);
 		const auto raised = [&](int i) {
-			const CutPoint& p = cut.points[size_t(i)];
+			const SheetPoint& p = cut.points.at(sheet, i);
 			const vcg::Point3d direction = along == ExtrudeAlong::Viewpoint     ? space.towardsViewer(p.label)
 			                               : along == ExtrudeAlong::LabelNormal ? vcg::Point3d(0, 0, 1)
 			                                                                    : normal[size_t(i)];
@@ -131,9 +133,8 @@ inline LabelPatch RaiseLabel(const LabelSpace& space, const Sheet& sheet, const 
 			return p.mesh + space.vectorToMesh(direction * height);
 		};
 		for (const ContourPiece& piece : cut.pieces) {  // each contour point is the start of one piece
-			const CutPoint& p = cut.points[size_t(piece.from)];
 			top[size_t(piece.from)] = old + int(patch.vertices.size());
-			patch.vertices.push_back({raised(piece.from), p.parent, p.weight, piece.from});
+			patch.vertices.push_back({raised(piece.from), cut.points.mixtureOf(sheet, piece.from), piece.from});
 		}
 		std::vector<char> seen(size_t(old), 0);
 		for (const IndexTriangle& t : inside)
@@ -145,7 +146,7 @@ inline LabelPatch RaiseLabel(const LabelSpace& space, const Sheet& sheet, const 
 	const auto topOf = [&](const IndexTriangle& t) {
 		return IndexTriangle{top[size_t(t[0])], top[size_t(t[1])], top[size_t(t[2])]};
 	};
-	std::vector<int> pieceFrom(height == 0 ? 0 : cut.points.size(), -1), parentBeside(cut.pieces.size(), -1);
+	std::vector<int> pieceFrom(height == 0 ? 0 : top.size(), -1), parentBeside(cut.pieces.size(), -1);
 	for (size_t i = 0; i < cut.pieces.size() && height != 0; ++i) pieceFrom[size_t(cut.pieces[i].from)] = int(i);
 	const auto findPieces = [&](const IndexTriangle& t, int parent) {  // which inside triangle borders a contour piece
 		for (size_t k = 0; k < 3 && height != 0; ++k) {
@@ -178,7 +179,8 @@ inline LabelPatch RaiseLabel(const LabelSpace& space, const Sheet& sheet, const 
 	detail::RequireOwnVertices(sheet, patch);
 	for (size_t i = 0; i < cut.pieces.size(); ++i) {
 		if (parentBeside[i] < 0)
-			throw PlacementConflict{"a contour piece borders no letter", cut.points[size_t(cut.pieces[i].from)].plane};
+			throw PlacementConflict{"a contour piece borders no letter",
+			                        cut.points.at(sheet, cut.pieces[i].from).plane};
 		const int parent = parentBeside[i], a = cut.pieces[i].from, b = cut.pieces[i].to;
 		const int ta = top[size_t(a)], tb = top[size_t(b)];
 		patch.faces.push_back({{a, b, tb}, parent, FaceKind::Wall});

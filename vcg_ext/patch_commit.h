@@ -37,7 +37,7 @@ template <class MeshType>
 void MixVertex(MeshType& m, const Sheet& sheet, const PatchVertex& from, typename MeshType::VertexType& to)
 {
 	const auto parent = [&](size_t i) ->
-		typename MeshType::VertexType& { return m.vert[size_t(sheet.vertices[size_t(from.parent[i])].index)]; };
+		typename MeshType::VertexType& { return m.vert[size_t(sheet.vertices[size_t(from.mixture.parent[i])].index)]; };
 	auto &a = parent(0), &b = parent(1), &c = parent(2);
 	to.ImportData(a);
 	using Scalar = typename MeshType::ScalarType;
@@ -45,13 +45,14 @@ void MixVertex(MeshType& m, const Sheet& sheet, const PatchVertex& from, typenam
 	if (vcg::tri::HasPerVertexColor(m))
 		for (int i = 0; i < 4; ++i)
 			to.C()[i] = static_cast<unsigned char>(
-				std::clamp(Mix(a.cC()[i], b.cC()[i], c.cC()[i], from.weight), 0.0, 255.0) + 0.5);
+				std::clamp(Mix(a.cC()[i], b.cC()[i], c.cC()[i], from.mixture.weight), 0.0, 255.0) + 0.5);
 	if (vcg::tri::HasPerVertexQuality(m))
-		to.Q() = static_cast<typename MeshType::VertexType::QualityType>(Mix(a.cQ(), b.cQ(), c.cQ(), from.weight));
+		to.Q() =
+			static_cast<typename MeshType::VertexType::QualityType>(Mix(a.cQ(), b.cQ(), c.cQ(), from.mixture.weight));
 	if (vcg::tri::HasPerVertexTexCoord(m)) {
 		using Coordinate = typename MeshType::VertexType::TexCoordType::ScalarType;
-		to.T().u() = Coordinate(Mix(a.cT().u(), b.cT().u(), c.cT().u(), from.weight));
-		to.T().v() = Coordinate(Mix(a.cT().v(), b.cT().v(), c.cT().v(), from.weight));
+		to.T().u() = Coordinate(Mix(a.cT().u(), b.cT().u(), c.cT().u(), from.mixture.weight));
+		to.T().v() = Coordinate(Mix(a.cT().v(), b.cT().v(), c.cT().v(), from.mixture.weight));
 	}
 }
 
@@ -66,9 +67,9 @@ inline std::array<double, 3> CornerWeights(const Sheet& sheet, const LabelPatch&
 			w[k] = corner[k] == point ? 1 : 0;
 			continue;
 		}
-		const PatchVertex& v = patch.vertices[size_t(point - old)];
+		const Mixture& mixture = patch.vertices[size_t(point - old)].mixture;
 		for (size_t i = 0; i < 3; ++i)
-			if (v.parent[i] == corner[k]) w[k] += v.weight[i];
+			if (mixture.parent[i] == corner[k]) w[k] += mixture.weight[i];
 	}
 	return w;
 }

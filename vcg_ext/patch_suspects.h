@@ -199,14 +199,18 @@ inline bool ArePlainlyApart(const Sheet& sheet, int first, int second)
 /// Some candidates, to be searched by place.
 struct TriangleGroup {
 	std::vector<int> triangle;
-	std::vector<PlaneBox> box;
 	std::unique_ptr<PlaneGrid> grid;  // most labels need none
 
 	template <class Use>
-	void query(const PlaneBox& around, Use&& use)
+	void query(const Sheet& sheet, const PlaneBox& around, Use&& use)
 	{
 		if (triangle.empty()) return;
-		if (!grid) grid = std::make_unique<PlaneGrid>(box);
+		if (!grid) {
+			std::vector<PlaneBox> boxes;
+			boxes.reserve(triangle.size());
+			for (const int t : triangle) boxes.push_back(BoxOfTriangle(CornersInPlane(sheet, t)));
+			grid = std::make_unique<PlaneGrid>(std::move(boxes));
+		}
 		grid->query(around, [&](int i) { use(triangle[size_t(i)]); });
 	}
 };
@@ -216,17 +220,16 @@ inline std::vector<std::array<int, 2>> FindNearPairs(const Sheet& sheet, const S
                                                      const std::vector<int>& changed, double sunk, double slack)
 {
 	TriangleGroup inside, rim;  // of the layer's box: the layer keeps its members apart only there
-	std::vector<double> farthest(sheet.triangles.size());
-	double deepest = std::numeric_limits<double>::infinity();
-	for (const int t : changed) {
-		const PlaneBox box = BoxOfTriangle(CornersInPlane(sheet, t));
-		TriangleGroup& group = layer.has(t) && layer.box.holds(box) ? inside : rim;
-		group.triangle.push_back(t);
-		group.box.push_back(box);
+	const auto farthest = [&](int t) {
 		const auto& v = sheet.triangles[size_t(t)].vertex;
 		const auto z = [&](size_t k) { return sheet.vertices[size_t(v[k])].label[2]; };
-		farthest[size_t(t)] = std::min({z(0), z(1), z(2)}) - sunk - slack;
-		deepest = std::min(deepest, farthest[size_t(t)]);
+		return std::min({z(0), z(1), z(2)}) - sunk - slack;
+	};
+	double deepest = std::numeric_limits<double>::infinity();
+	for (const int t : changed) {
+		const bool isInside = layer.has(t) && layer.box.holds(BoxOfTriangle(CornersInPlane(sheet, t)));
+		(isInside ? inside : rim).triangle.push_back(t);
+		deepest = std::min(deepest, farthest(t));
 	}
 	std::vector<std::array<int, 2>> pairs;
 	for (int t = 0; t < int(sheet.triangles.size()); ++t) {
@@ -236,11 +239,11 @@ inline std::vector<std::array<int, 2>> FindNearPairs(const Sheet& sheet, const S
 		PlaneBox box = BoxOfTriangle(CornersInPlane(sheet, t));
 		box.grow(slack);
 		const auto judge = [&](int other) {
-			if (other == t || nearest < farthest[size_t(other)]) return;
+			if (other == t || nearest < farthest(other)) return;
 			if (!ArePlainlyApart(sheet, other, t)) pairs.push_back({other, t});
 		};
-		rim.query(box, judge);
-		if (!isMember) inside.query(box, judge);
+		rim.query(sheet, box, judge);
+		if (!isMember) inside.query(sheet, box, judge);
 	}
 	return pairs;
 }
