@@ -122,13 +122,18 @@ namespace detail {
 
 enum OutCode : std::uint8_t { Left = 1, Right = 2, Below = 4, Above = 8, Unusable = 16, BehindCamera = 32, Used = 64 };
 
-/// Where a finite point of label space is seen, against a box. Without branches: where it lies is not to be predicted.
+/// Where a point of the label plane lies against a box. Without branches: that is not to be predicted.
+inline std::uint8_t OutCodeOf(const PlaneBox& box, const vcg::Point2d& p)
+{
+	return std::uint8_t(Left * (p[0] < box.low[0]) | Right * (p[0] > box.high[0]) | Below * (p[1] < box.low[1]) |
+	                    Above * (p[1] > box.high[1]));
+}
+
+/// Where a finite point of label space is seen.
 inline std::uint8_t OutCodeOf(const LabelSpace& space, const PlaneBox& box, const vcg::Point3d& q)
 {
 	if (!space.isInFront(q)) return Unusable | BehindCamera;
-	const vcg::Point2d p = space.project(q);
-	return std::uint8_t(Left * (p[0] < box.low[0]) | Right * (p[0] > box.high[0]) | Below * (p[1] < box.low[1]) |
-	                    Above * (p[1] > box.high[1]));
+	return OutCodeOf(box, space.project(q));
 }
 
 /// Pair the half-edges of the candidates: two that run against each other are twins, one alone is a border, the rest is
@@ -197,15 +202,22 @@ template <class MeshType>
 std::vector<std::uint8_t> CodeVertices(const MeshType& m, const LabelSpace& space, const PlaneBox& box)
 {
 	std::vector<std::uint8_t> code((m.vert.size() + kCodeBlock - 1) / kCodeBlock * kCodeBlock, Unusable);
-	EachChunk(m.vert.size(), ChunkCount(m.vert.size()), [&](size_t, size_t first, size_t last) {
+	const auto pass = [&](auto isPerspective, size_t first, size_t last) {
 		const LabelSpace here = space;  // copies that nothing else can change stay in registers
 		const PlaneBox window = box;
 		std::uint8_t* const to = code.data();
+		const auto* const vertex = m.vert.data();
 		for (size_t v = first; v < last; ++v) {
-			if (m.vert[v].IsD()) continue;
-			const vcg::Point3d q = here.toLabel(PointOf(m, v));
-			if (std::isfinite(q[0] + q[1] + q[2])) to[v] = OutCodeOf(here, window, q);
+			if (vertex[v].IsD()) continue;
+			const auto& p = vertex[v].cP();
+			const vcg::Point3d q = here.toLabel({double(p[0]), double(p[1]), double(p[2])});
+			if (!std::isfinite(q[0] + q[1] + q[2])) continue;
+			if constexpr (isPerspective) to[v] = OutCodeOf(here, window, q);
+			else to[v] = OutCodeOf(window, {q[0], q[1]});
 		}
+	};
+	EachChunk(m.vert.size(), ChunkCount(m.vert.size()), [&](size_t, size_t first, size_t last) {
+		space.perspective() ? pass(std::true_type(), first, last) : pass(std::false_type(), first, last);
 	});
 	return code;
 }
