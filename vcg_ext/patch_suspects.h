@@ -237,7 +237,8 @@ inline std::vector<std::array<int, 2>> FindNearPairs(const Sheet& sheet, const S
 		const double nearest = NearestZ(sheet, t);
 		if ((isMember && rim.triangle.empty()) || nearest < deepest) continue;
 		PlaneBox box = BoxOfTriangle(CornersInPlane(sheet, t));
-		if (isMember && layer.box.holds(box)) continue;  // overlaps no member: not within the box, and it is nowhere else
+		if (isMember && layer.box.holds(box))
+			continue;  // overlaps no member: not within the box, and it is nowhere else
 		box.grow(slack);
 		const auto judge = [&](int other) {
 			if (other == t || nearest < farthest(other)) return;

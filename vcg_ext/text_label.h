@@ -3,7 +3,7 @@
 //
 // Source: G. Slabaugh, V. Mihalef, G. Unal, "A Contour-Based Approach to 3D Text Labeling on Triangulated Surfaces", 3DIM 2005.
 // The way of a label: contours in the label plane and a frame -> the candidates of the mesh (sheet.h) -> contours marched over them
-// (edge_march.h) -> triangles cut by the contour walk (triangle_walk.h, tessellate.h, label_cut.h) -> what lies before and behind
+// (edge_march.h) -> triangles cut by the contour walk (triangle_cutter.h, label_cut.h) -> what lies before and behind
 // (label_clearance.h) -> raised (label_raise.h) -> checked on rounded coordinates (patch_check.h) -> written (patch_commit.h).
 // Until the last step the mesh is only read.
 
