@@ -22,8 +22,9 @@ constexpr size_t kMostChunks = 16;
 /// and more where the other cores are busy.
 inline size_t ChunkCount(size_t count)
 {
-	const size_t cores = std::max(1u, std::thread::hardware_concurrency());
-	return std::clamp<size_t>(count / TEXTLABEL_LEAST_CHUNK, 1, std::min(cores, kMostChunks));
+	const size_t most = std::min<size_t>(count / TEXTLABEL_LEAST_CHUNK, kMostChunks);
+	if (most <= 1) return 1;  // to count the cores, glibc reads a file
+	return std::clamp<size_t>(std::thread::hardware_concurrency(), 1, most);
 }
 
 /// Call work(chunk, first, last) for each of `chunks` ranges of 0 .. count-1, at the same time where threads can be had.
