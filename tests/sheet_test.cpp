@@ -72,7 +72,8 @@ TEST(Sheet, KeepsOrderPlacesAndFacing)
 	}
 }
 
-// A slab 4 thick on two feet 10 below its top, seen from above: the undersides lie at -4 and -10.
+// A slab 4 thick on two feet, seen from above: the undersides lie at -4 and -10, the deepest that face the viewer, the feet's tops,
+// at -4.
 TEST(Sheet, LeavesOutBacksThatLieTooDeep)
 {
 	const auto at = [](double x, double z) { return [=](const Point3d& p) { return p + Point3d(x, 0, z); }; };
@@ -94,8 +95,7 @@ TEST(Sheet, LeavesOutBacksThatLieTooDeep)
 	EXPECT_FALSE(whole.isShallow);
 	EXPECT_EQ(deepest(whole), -10);
 	EXPECT_TRUE(shallow.isShallow);
-	EXPECT_EQ(deepest(shallow), -10)
-		<< "the feet's tops face the viewer, at -4; what reaches up to -9 is there, with its corners";
+	EXPECT_EQ(deepest(shallow), -10) << "the sides of the feet reach up to -4";
 	std::set<int> kept;
 	for (const SheetTriangle& t : shallow.triangles) kept.insert(t.face);
 	for (const SheetTriangle& t : whole.triangles) {

@@ -9,6 +9,8 @@
 #include "plane_grid.h"
 #include "sheet_layer.h"
 
+#include <memory>
+
 namespace vcg::textlabel {
 
 /// The nearest other surface behind the letters along the rays, and where.

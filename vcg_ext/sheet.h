@@ -1,8 +1,8 @@
 #pragma once
 // The sheet: the triangles that a label could touch, and how they hang together.
 //
-// One linear pass over the mesh finds the triangles whose projection meets the label's box; nothing else in the library looks at
-// the whole mesh. Adjacency is built among these candidates only, from their vertex indices. A candidate's half-edge h = 3 t + k
+// One linear pass over the mesh finds the triangles whose projection meets the label's box, but for those that show their backs
+// deeper than the label may reach; nothing else in the library looks at the whole mesh. Adjacency is built among these candidates only, from their vertex indices. A candidate's half-edge h = 3 t + k
 // runs from corner k to corner k+1 of triangle t:
 //
 //            2
@@ -21,7 +21,6 @@
 #include <cstdint>
 #include <cstring>
 #include <limits>
-#include <memory>
 #include <utility>
 #include <vcg/complex/complex.h>
 #include <vcg/space/box3.h>
@@ -96,12 +95,12 @@ struct Sheet {
 	std::vector<SheetTriangle> triangles;
 	std::vector<int> twin;                    ///< #T*3: the half-edge on the other side, or a HalfEdgeKind
 	std::vector<int> vertexStart, vertexFan;  ///< CSR: candidates around each vertex
-	PlaneBox box;                             ///< what they were collected for: nothing else of the mesh meets it
-	bool mayFlip = true;                      ///< false when faces carry a texture, which a flipped edge would smear
-	std::vector<int> flipped;                 ///< triangles changed by FlipCaps (cut_repair.h), ascending
-	double largestCoordinate = 0;             ///< of the candidates' mesh coordinates, in absolute value
-	bool isEmpty = true;                      ///< no face of the mesh has three finite vertices
-	bool isShallow = false;                   ///< some that show their backs were left out, as too deep
+	PlaneBox box;              ///< what they were collected for: nothing else of the mesh meets it, but for isShallow
+	bool mayFlip = true;       ///< false when faces carry a texture, which a flipped edge would smear
+	std::vector<int> flipped;  ///< triangles changed by FlipCaps (cut_repair.h), ascending
+	double largestCoordinate = 0;  ///< of the candidates' mesh coordinates, in absolute value
+	bool isEmpty = true;           ///< no face of the mesh has three finite vertices
+	bool isShallow = false;        ///< some that show their backs were left out: the label can't reach so deep
 	std::vector<StraddlingTriangle> straddling;
 
 	static int Next(int h) { return h % 3 == 2 ? h - 2 : h + 1; }
@@ -206,11 +205,9 @@ std::vector<std::uint8_t> CodeVertices(const MeshType& m, const LabelSpace& spac
 		const LabelSpace here = space;  // copies that nothing else can change stay in registers
 		const PlaneBox window = box;
 		std::uint8_t* const to = code.data();
-		const auto* const vertex = m.vert.data();
 		for (size_t v = first; v < last; ++v) {
-			if (vertex[v].IsD()) continue;
-			const auto& p = vertex[v].cP();
-			const vcg::Point3d q = here.toLabel({double(p[0]), double(p[1]), double(p[2])});
+			if (m.vert[v].IsD()) continue;
+			const vcg::Point3d q = here.toLabel(PointOf(m, v));
 			if (!std::isfinite(q[0] + q[1] + q[2])) continue;
 			if constexpr (isPerspective) to[v] = OutCodeOf(here, window, q);
 			else to[v] = OutCodeOf(window, {q[0], q[1]});
@@ -224,8 +221,8 @@ std::vector<std::uint8_t> CodeVertices(const MeshType& m, const LabelSpace& spac
 
 /// A triangle that may meet the box.
 struct FoundTriangle {
+	double nearest;  ///< label space: the largest z of its corners
 	int face;
-	float nearest;  ///< label space: no corner's z is larger
 	bool facing;
 };
 
@@ -260,8 +257,7 @@ FoundTriangle SeeTriangle(const MeshType& m, const LabelSpace& space, int face, 
 	}
 	const bool facing = Orient2d(p[0], p[1], p[2]) > 0;
 	if (facing) farthest = std::min({farthest, z[0], z[1], z[2]});
-	const auto nearest = static_cast<float>(std::max({z[0], z[1], z[2]}));
-	return {face, std::nextafter(nearest, std::numeric_limits<float>::infinity()), facing};
+	return {std::max({z[0], z[1], z[2]}), face, facing};
 }
 
 /// One pass over some of the faces: those that may meet the box.
@@ -318,9 +314,10 @@ void CollectTriangles(const MeshType& m, const LabelSpace& space, double depth, 
 		for (const int face : part.straddling) {
 			StraddlingTriangle s;
 			s.face = face;
-			for (int k = 0; k < 3; ++k) {
-				s.mesh[size_t(k)] = PointOf(m, size_t(m.face[size_t(face)].cV(k) - m.vert.data()));
-				s.label[size_t(k)] = space.toLabel(s.mesh[size_t(k)]);
+			const std::array<int, 3> v = CornersOfFace(m, space, face);
+			for (size_t k = 0; k < 3; ++k) {
+				s.mesh[k] = PointOf(m, size_t(v[k]));
+				s.label[k] = space.toLabel(s.mesh[k]);
 			}
 			if (IsFinite(s.label[0]) && IsFinite(s.label[1]) && IsFinite(s.label[2])) sheet.straddling.push_back(s);
 		}

@@ -30,6 +30,7 @@ public:
 		position_ = rounded();
 	}
 
+	/// As deep as a label of this height reaches, but for a margin.
 	vcg::textlabel::Sheet sheet() const { return vcg::textlabel::CollectSheet(mesh_, space_, box_, height_); }
 	std::vector<int> seeds() const { return vcg::textlabel::FindSeeds(space_, sheet_, outline_, snap_); }
 	/// @return points of the contours on the surface
