@@ -184,10 +184,10 @@ inline void BuildVertexFans(Sheet& sheet)
 
 namespace detail {
 
-template <class MeshType>
-vcg::Point3d PointOf(const MeshType& m, size_t vertex)
+template <class VertexType>
+vcg::Point3d PointOf(const VertexType& vertex)
 {
-	const auto& p = m.vert[vertex].cP();
+	const auto& p = vertex.cP();
 	return {double(p[0]), double(p[1]), double(p[2])};
 }
 
@@ -204,11 +204,12 @@ std::vector<std::uint8_t> CodeVertices(const MeshType& m, const LabelSpace& spac
 	const auto pass = [&](auto isPerspective, size_t first, size_t last) {
 		const LabelSpace here = space;  // copies that nothing else can change stay in registers
 		const PlaneBox window = box;
+		const auto* const vertex = m.vert.data();
 		std::uint8_t* const to = code.data();
 		for (size_t v = first; v < last; ++v) {
-			if (m.vert[v].IsD()) continue;
-			const vcg::Point3d q = here.toLabel(PointOf(m, v));
-			if (!std::isfinite(q[0] + q[1] + q[2])) continue;
+			if (vertex[v].IsD()) continue;
+			const vcg::Point3d q = here.toLabel(PointOf(vertex[v]));
+			if (!std::isfinite(q[0] + q[1])) continue;  // no part of q is finite where a coordinate is not
 			if constexpr (isPerspective) to[v] = OutCodeOf(here, window, q);
 			else to[v] = OutCodeOf(window, {q[0], q[1]});
 		}
@@ -221,7 +222,7 @@ std::vector<std::uint8_t> CodeVertices(const MeshType& m, const LabelSpace& spac
 
 /// A triangle that may meet the box.
 struct FoundTriangle {
-	double nearest;  ///< label space: the largest z of its corners
+	double nearest;  ///< label space: the largest z of its corners; not finite when one of them is too large for it
 	int face;
 	bool facing;
 };
@@ -251,10 +252,12 @@ FoundTriangle SeeTriangle(const MeshType& m, const LabelSpace& space, int face, 
 	std::array<double, 3> z;
 	std::array<vcg::Point2d, 3> p;
 	for (size_t k = 0; k < 3; ++k) {
-		const vcg::Point3d q = space.toLabel(PointOf(m, size_t(v[k])));
+		const vcg::Point3d q = space.toLabel(PointOf(m.vert[size_t(v[k])]));
 		z[k] = q[2];
 		p[k] = space.project(q);
 	}
+	const double sum = z[0] + z[1] + z[2];
+	if (!std::isfinite(sum)) return {sum, face, false};
 	const bool facing = Orient2d(p[0], p[1], p[2]) > 0;
 	if (facing) farthest = std::min({farthest, z[0], z[1], z[2]});
 	return {std::max({z[0], z[1], z[2]}), face, facing};
@@ -285,7 +288,8 @@ FoundTriangles FindTriangles(const MeshType& m, const LabelSpace& space, const s
 			continue;
 		}
 		if (i == j || j == k || k == i) continue;  // a line: its edges pair with each other
-		found.triangles.push_back(SeeTriangle(m, space, int(f), found.farthest));
+		const FoundTriangle seen = SeeTriangle(m, space, int(f), found.farthest);
+		if (std::isfinite(seen.nearest)) found.triangles.push_back(seen);
 	}
 	found.isEmpty = found.isEmpty && !anyBeside;
 	return found;
@@ -316,7 +320,7 @@ void CollectTriangles(const MeshType& m, const LabelSpace& space, double depth, 
 			s.face = face;
 			const std::array<int, 3> v = CornersOfFace(m, space, face);
 			for (size_t k = 0; k < 3; ++k) {
-				s.mesh[k] = PointOf(m, size_t(v[k]));
+				s.mesh[k] = PointOf(m.vert[size_t(v[k])]);
 				s.label[k] = space.toLabel(s.mesh[k]);
 			}
 			if (IsFinite(s.label[0]) && IsFinite(s.label[1]) && IsFinite(s.label[2])) sheet.straddling.push_back(s);
@@ -359,7 +363,7 @@ void CollectVertices(const MeshType& m, const LabelSpace& space, const std::vect
 		if (!CountUsed(block(i))) continue;
 		for (size_t v = i * kCodeBlock; v < (i + 1) * kCodeBlock; ++v) {
 			if (!(code[v] & Used)) continue;
-			const vcg::Point3d p = PointOf(m, v), q = space.toLabel(p);
+			const vcg::Point3d p = PointOf(m.vert[v]), q = space.toLabel(p);
 			sheet.vertices.push_back({{p, q, space.project(q)}, int(v)});
 			for (int k = 0; k < 3; ++k) sheet.largestCoordinate = std::max(sheet.largestCoordinate, std::abs(p[k]));
 		}
@@ -405,7 +409,7 @@ bool ExceedsPart(const MeshType& m, const LabelSpace& space, const Sheet& sheet,
 	for (const SheetVertex& v : sheet.vertices) box.Add(v.label);
 	if (!box.IsNull() && length <= box.Diag()) return false;
 	for (size_t v = 0; v < m.vert.size(); ++v) {
-		const vcg::Point3d q = space.toLabel(detail::PointOf(m, v));
+		const vcg::Point3d q = space.toLabel(detail::PointOf(m.vert[v]));
 		if (!m.vert[v].IsD() && IsFinite(q)) box.Add(q);
 	}
 	diagonal = box.IsNull() ? 0 : box.Diag();

@@ -36,8 +36,11 @@ public:
 private:
 	using GluPointer = std::unique_ptr<GLUtesselator, void (*)(GLUtesselator*)>;
 	static constexpr int mostEars = 24;  ///< corners of a ring that is not worth GLU's preparations
+	static constexpr double gain = 1e-12;  ///< of a shape, a square: far more than its rounding; less is not worth a flip
 	void runGlu(const std::vector<vcg::Point2d>& plane, const PolylineSet& rings, int first, int count);
 	void improve(const std::vector<vcg::Point2d>& plane, const std::vector<vcg::Point3d>& space);
+	bool splitQuad(const std::vector<vcg::Point2d>& plane, const std::vector<vcg::Point3d>& space, const int* ring,
+	               std::vector<IndexTriangle>& triangles) const;
 	bool clipEars(const std::vector<vcg::Point2d>& plane, const std::vector<vcg::Point3d>& space, const int* ring,
 	              int corners);
 	void pairEdges();
@@ -121,6 +124,7 @@ inline void Tessellator::triangulate(const std::vector<vcg::Point2d>& plane, con
 		triangles.push_back({ring[0], ring[1], ring[2]});
 		return;
 	}
+	if (corners == 4 && splitQuad(plane, space, ring, triangles)) return;
 	if (count > 1 || corners > mostEars || !clipEars(plane, space, ring, corners)) {
 		runGlu(plane, rings, first, count);
 		if (crossed_ || int(corners_.size()) != 3 * expected) throw WalkConflict{"a region crosses itself", ring[0]};
@@ -130,6 +134,26 @@ inline void Tessellator::triangulate(const std::vector<vcg::Point2d>& plane, con
 	}
 	improve(plane, space);
 	triangles.insert(triangles.end(), triangles_.begin(), triangles_.end());
+}
+
+/// Most regions that are no triangle are the rest of one that a contour has crossed: of its two diagonals, take the one whose worse
+/// triangle is the better; false when none gives two that are counter-clockwise.
+inline bool Tessellator::splitQuad(const std::vector<vcg::Point2d>& plane, const std::vector<vcg::Point3d>& space,
+                                   const int* ring, std::vector<IndexTriangle>& triangles) const
+{
+	const int a = ring[0], b = ring[1], c = ring[2], d = ring[3];
+	const auto worse = [&](const IndexTriangle& s, const IndexTriangle& t) {
+		for (const IndexTriangle* x : {&s, &t})
+			if (Orient2d(plane[size_t((*x)[0])], plane[size_t((*x)[1])], plane[size_t((*x)[2])]) <= 0) return -1.0;
+		return std::min(Shape(space, s[0], s[1], s[2]), Shape(space, t[0], t[1], t[2]));
+	};
+	const IndexTriangle abc = {a, b, c}, acd = {a, c, d}, abd = {a, b, d}, bcd = {b, c, d};
+	const double ac = worse(abc, acd), bd = worse(abd, bcd);
+	if (ac < 0 && bd < 0) return false;
+	const bool takeBd = bd > ac + gain || ac < 0;
+	triangles.push_back(takeBd ? abd : abc);
+	triangles.push_back(takeBd ? bcd : acd);
+	return true;
 }
 
 /// Cut ears off a small ring without holes, the best-shaped first; false when it can't be done, as with a ring that touches itself.
@@ -212,8 +236,6 @@ inline void Tessellator::pairEdges()
 // Flip an edge when the worse of its two triangles gets better by it. The sorted list of shapes grows with each flip, so it ends.
 inline void Tessellator::improve(const std::vector<vcg::Point2d>& plane, const std::vector<vcg::Point3d>& space)
 {
-	constexpr double gain =
-		1e-12;  // of the shape, a square: far more than its rounding; below it a flip is not worth it
 	pairEdges();
 	const auto next = [](int h) { return h % 3 == 2 ? h - 2 : h + 1; };
 	const auto corner = [&](int h) -> int& { return triangles_[size_t(h / 3)][size_t(h % 3)]; };
