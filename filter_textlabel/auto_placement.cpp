@@ -12,7 +12,6 @@ constexpr double closeLookPixels = 160;   // along the longer side of a text tha
 constexpr double closeSlackDegrees = 10;  // a close look at a curved place may be that much steeper than the first
 constexpr double flatRelief = 0.01;       // of the capital height: a flatter surface counts as a plane
 constexpr double axisSnap = 1e-4;         // a direction this near to an axis (radians) is along it
-constexpr double sameSurface = 1e-7;      // of the part's diagonal: faces nearer behind are the same surface
 constexpr double wallReserve = 1.25;      // a sunk label asks for so many times its depth of wall
 constexpr size_t maxPlaces = 8;
 constexpr size_t maxMeasured = 24;

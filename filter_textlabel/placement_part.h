@@ -1,6 +1,8 @@
 #pragma once
 // The part as automatic placement sees it: the usable triangles, around the origin, with their area vectors.
 
+#include "vcg_ext/vertex_point.h"
+
 #include <array>
 #include <cmath>
 #include <vector>
@@ -8,6 +10,10 @@
 #include <vcg/space/point3.h>
 
 namespace textlabel {
+
+using vcg::textlabel::IsFinite;
+
+constexpr double sameSurface = 1e-7;  ///< of the part's diagonal: what is nearer behind is the same surface
 
 struct Part {
 	std::vector<vcg::Point3d> points;  ///< #V by 3, relative to center; those that no face uses are put on one that is
@@ -21,11 +27,6 @@ struct Part {
 struct ViewAxes {
 	vcg::Point3d right, up, towards;
 };
-
-inline bool IsFinite(const vcg::Point3d& p)
-{
-	return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
-}
 
 /// Axes that look against `towards` with `up` as far up as it goes.
 /// @pre up and towards are not parallel

@@ -1,6 +1,5 @@
 // The same input gives the same bytes: again in one process, in another process, and on any number of threads.
 
-#define TEXTLABEL_LEAST_CHUNK 1000
 #include "vcg_ext/text_label.h"
 
 #include <cstdio>
@@ -24,6 +23,9 @@ namespace {
 using namespace label_check;
 using test_mesh::RichMesh;
 using test_mesh::Shape;
+
+/// Several chunks on small meshes, where there are cores.
+[[maybe_unused]] const size_t chunk = vcg::textlabel::leastChunk = 1000;
 
 /// A wavy slab.
 Shape Waves(int nx, int ny)

@@ -8,6 +8,7 @@
 // Source: Slabaugh et al., section 3.1.
 
 #include "label_error.h"
+#include "vertex_point.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,11 +18,6 @@
 #include <vcg/space/point3.h>
 
 namespace vcg::textlabel {
-
-inline bool IsFinite(const vcg::Point3d& p)
-{
-	return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
-}
 
 /// Where the label's plane lies and from where it is projected; world coordinates throughout.
 struct LabelFrame {

@@ -167,7 +167,6 @@ inline LabelPatch RaiseLabel(const LabelSpace& space, const Sheet& sheet, const 
 		patch.faces.push_back({topOf(v), t, FaceKind::Top});
 		findPieces(v, t);
 	}
-	patch.removed.clear();
 	std::merge(cut.touched.begin(), cut.touched.end(), cut.within.begin(), cut.within.end(),
 	           std::back_inserter(patch.removed));
 	for (const int t : sheet.flipped)

@@ -8,13 +8,10 @@
 #include <exception>
 #include <thread>
 
-/// The fewest elements that a chunk is worth starting a thread for. To be defined smaller only by tests, which then see many
-/// chunks on a small mesh.
-#ifndef TEXTLABEL_LEAST_CHUNK
-#define TEXTLABEL_LEAST_CHUNK 150000
-#endif
-
 namespace vcg::textlabel {
+
+/// The fewest elements that a chunk is worth starting a thread for. Only tests set it smaller, to see many chunks on a small mesh.
+inline size_t leastChunk = 150000;
 
 constexpr size_t kMostChunks = 16;
 
@@ -22,7 +19,7 @@ constexpr size_t kMostChunks = 16;
 /// and more where the other cores are busy.
 inline size_t ChunkCount(size_t count)
 {
-	const size_t most = std::min<size_t>(count / TEXTLABEL_LEAST_CHUNK, kMostChunks);
+	const size_t most = std::min<size_t>(count / leastChunk, kMostChunks);
 	if (most <= 1) return 1;  // to count the cores, glibc reads a file
 	return std::clamp<size_t>(std::thread::hardware_concurrency(), 1, most);
 }

@@ -2,8 +2,9 @@
 // The sheet: the triangles that a label could touch, and how they hang together.
 //
 // One linear pass over the mesh finds the triangles whose projection meets the label's box, but for those that show their backs
-// deeper than the label may reach; nothing else in the library looks at the whole mesh. Adjacency is built among these candidates only, from their vertex indices. A candidate's half-edge h = 3 t + k
-// runs from corner k to corner k+1 of triangle t:
+// deeper than the label may reach. No other step of a label looks at the whole mesh, but for growing its arrays (grow_mesh.h).
+// Adjacency is built among these candidates only, from their vertex indices. A candidate's half-edge h = 3 t + k runs from corner
+// k to corner k+1 of triangle t:
 //
 //            2
 //           / \            corners counter-clockwise in the label plane when the triangle faces the viewer;
@@ -159,7 +160,7 @@ inline void PairHalfEdges(Sheet& sheet)
 			for (j = i; j != end && j->high == i->high;) ++j;
 			if (j - i == 1) continue;
 			const int h = i->halfEdge, other = j[-1].halfEdge;
-			const bool opposite = j - i == 2 && sheet.from(h) == sheet.to(other) && sheet.from(h) != sheet.to(h);
+			const bool opposite = j - i == 2 && sheet.from(h) == sheet.to(other);
 			for (const Key* k = i; k != j; ++k) sheet.twin[size_t(k->halfEdge)] = NonManifoldEdge;
 			if (!opposite) continue;
 			sheet.twin[size_t(h)] = other;
@@ -178,17 +179,6 @@ inline void BuildVertexFans(Sheet& sheet)
 	std::vector<int> next(sheet.vertexStart.begin(), sheet.vertexStart.end() - 1);
 	for (size_t t = 0; t < sheet.triangles.size(); ++t)
 		for (const int v : sheet.triangles[t].vertex) sheet.vertexFan[size_t(next[size_t(v)]++)] = int(t);
-}
-
-}  // namespace detail
-
-namespace detail {
-
-template <class VertexType>
-vcg::Point3d PointOf(const VertexType& vertex)
-{
-	const auto& p = vertex.cP();
-	return {double(p[0]), double(p[1]), double(p[2])};
 }
 
 /// Codes of vertices are looked through by so many at a time.
@@ -409,7 +399,7 @@ bool ExceedsPart(const MeshType& m, const LabelSpace& space, const Sheet& sheet,
 	for (const SheetVertex& v : sheet.vertices) box.Add(v.label);
 	if (!box.IsNull() && length <= box.Diag()) return false;
 	for (size_t v = 0; v < m.vert.size(); ++v) {
-		const vcg::Point3d q = space.toLabel(detail::PointOf(m.vert[v]));
+		const vcg::Point3d q = space.toLabel(PointOf(m.vert[v]));
 		if (!m.vert[v].IsD() && IsFinite(q)) box.Add(q);
 	}
 	diagonal = box.IsNull() ? 0 : box.Diag();

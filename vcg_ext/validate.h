@@ -19,6 +19,7 @@
 
 #include "crossing_search.h"
 #include "rounding.h"
+#include "vertex_point.h"
 
 namespace vcg::textlabel {
 
@@ -122,11 +123,6 @@ private:
 	int& at(int i) { return parent[static_cast<size_t>(i)]; }
 	std::vector<int> parent;
 };
-
-inline bool IsFinite(const vcg::Point3d& p)
-{
-	return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
-}
 
 inline bool HasRepeatedIndex(const Face& f) { return f[0] == f[1] || f[1] == f[2] || f[2] == f[0]; }
 
@@ -359,7 +355,7 @@ IndexedMesh ToIndexedMesh(const MeshType& m)
 	for (size_t i = 0; i < m.vert.size(); ++i) {
 		if (m.vert[i].IsD()) continue;
 		index[i] = static_cast<int>(out.positions.size());
-		out.positions.push_back(vcg::Point3d::Construct(m.vert[i].cP()));
+		out.positions.push_back(PointOf(m.vert[i]));
 	}
 	out.faces.reserve(m.face.size());
 	for (const auto& f : m.face) {
