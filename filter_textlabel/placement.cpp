@@ -1,4 +1,5 @@
 #include "placement.h"
+#include "placement_part.h"
 #include "request_error.h"
 
 #include <algorithm>
@@ -80,7 +81,8 @@ LabelFrame PlaceAtPoint(const LabelRequest& request, const PartProbe& part)
 		if (hit.facing && (!nearest || std::abs(hit.distance) < std::abs(nearest->distance))) nearest = &hit;
 	if (!nearest) throw RequestError(RequestProblem::PointMissesPart, "position");
 	const double hidden = nearest->distance - hits.front().distance;
-	if (hidden > 0) throw RequestError(RequestProblem::HiddenPlace, "position").measured(hidden);
+	if (hidden > sameSurface * part.box.Diag())
+		throw RequestError(RequestProblem::HiddenPlace, "position").measured(hidden);
 	frame.origin = line.origin + line.direction * nearest->distance;
 	return frame;
 }

@@ -8,6 +8,7 @@
 #include "vcg_ext/label_frame.h"
 #include "vcg_ext/parallel_chunks.h"
 #include "vcg_ext/predicates.h"
+#include "vcg_ext/vertex_point.h"
 
 #include <cstdint>
 #include <vector>
@@ -56,6 +57,20 @@ inline int TurnAroundAxis(const vcg::Point3d (&q)[3])
 	return turn;
 }
 
+/// Where the z axis goes through a triangle: between its corners, however near to edge-on it is seen.
+/// @param[in] turn  as TurnAroundAxis gives it, not 0
+inline double HeightOnAxis(const vcg::Point3d (&q)[3], int turn)
+{
+	double sum = 0, weights = 0;
+	for (int k = 0; k < 3; ++k) {
+		const vcg::Point3d &a = q[(k + 1) % 3], &b = q[(k + 2) % 3];
+		const double weight = std::max((a[0] * b[1] - a[1] * b[0]) * turn, 0.0);  // rounding may have turned it round
+		sum += weight * q[k][2];
+		weights += weight;
+	}
+	return weights > 0 ? sum / weights : (q[0][2] + q[1][2] + q[2][2]) / 3;
+}
+
 }  // namespace detail
 
 /// All faces that a line meets, nearest to the viewer first; faces seen edge-on and those that are not finite are left out.
@@ -65,15 +80,13 @@ template <class MeshType>
 std::vector<SurfaceHit> HitsOnLine(const MeshType& m, const vcg::Matrix44d& toWorld, const SightLine& line)
 {
 	const vcg::Point3d towards = vcg::Point3d(0, 0, 0) - line.direction;
-	const bool isSteep = std::abs(towards[0]) < std::abs(towards[1]);
+	const bool isNearerToY = std::abs(towards[0]) < std::abs(towards[1]);
 	auto frame = vcg::textlabel::FrameFromDirection(line.origin, towards,
-	                                                isSteep ? vcg::Point3d(1, 0, 0) : vcg::Point3d(0, 1, 0));
+	                                                isNearerToY ? vcg::Point3d(1, 0, 0) : vcg::Point3d(0, 1, 0));
 	frame.toWorld = toWorld;
 	const vcg::textlabel::LabelSpace space(frame);
-	const auto inSpace = [&](const auto& v) {
-		return space.toLabel({double(v.cP()[0]), double(v.cP()[1]), double(v.cP()[2])});
-	};
-	using vcg::textlabel::EachChunk, vcg::textlabel::ChunkCount;
+	using vcg::textlabel::EachChunk, vcg::textlabel::ChunkCount, vcg::textlabel::PointOf;
+	const auto inSpace = [&](const auto& v) { return space.toLabel(PointOf(v)); };
 	std::vector<std::uint8_t> sides(m.vert.size(), detail::NotFinite);
 	EachChunk(m.vert.size(), ChunkCount(m.vert.size()), [&](size_t, size_t first, size_t last) {
 		for (size_t i = first; i < last; ++i)
@@ -83,9 +96,7 @@ std::vector<SurfaceHit> HitsOnLine(const MeshType& m, const vcg::Matrix44d& toWo
 	const auto addHit = [&](size_t f, std::vector<SurfaceHit>& hits) {
 		const vcg::Point3d q[3] = {inSpace(*m.face[f].cV(0)), inSpace(*m.face[f].cV(1)), inSpace(*m.face[f].cV(2))};
 		const int turn = detail::TurnAroundAxis(q);
-		if (turn == 0) return;
-		const vcg::Point3d normal = (q[1] - q[0]) ^ (q[2] - q[0]);
-		hits.push_back({-(normal * q[0]) / normal[2], int(f), (turn > 0) != space.mirrors()});
+		if (turn != 0) hits.push_back({-detail::HeightOnAxis(q, turn), int(f), (turn > 0) != space.mirrors()});
 	};
 	std::vector<std::vector<SurfaceHit>> found(ChunkCount(m.face.size()));
 	EachChunk(m.face.size(), found.size(), [&](size_t chunk, size_t first, size_t last) {

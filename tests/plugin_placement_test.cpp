@@ -1,6 +1,5 @@
 // Lines of sight, and where requests put the label, on a box and a bowl whose answers are known.
 
-#define TEXTLABEL_LEAST_CHUNK 5  // several chunks on small meshes, where there are cores
 #include "filter_textlabel/mesh_numbers.h"
 #include "filter_textlabel/placement.h"
 #include "filter_textlabel/request_error.h"
@@ -8,12 +7,16 @@
 
 #include <gtest/gtest.h>
 #include <random>
+#include <vcg/complex/algorithms/create/platonic.h>
 
 using namespace textlabel;
 using vcg::Point3d;
 using Mesh = test_mesh::FloatMesh;
 
 namespace {
+
+/// Several chunks on small meshes, where there are cores.
+[[maybe_unused]] const size_t chunk = vcg::textlabel::leastChunk = 5;
 
 /// A box from (0, 0, 0) to (60, 40, 10), two triangles for each side.
 Mesh& Box()
@@ -108,6 +111,27 @@ TEST(SightLine, SortsHitsAndKnowsTheirSides)
 	EXPECT_THROW(HitsOnLine(Box(), Identity(), {{0, 0, 0}, {0, 0, 0}}), vcg::textlabel::Error);
 }
 
+TEST(SightLine, MeetsAFaceBetweenItsCornersHoweverSteep)
+{
+	std::mt19937 random(1);
+	const auto number = [&] { return double(random()) / double(random.max()) * 2 - 1; };
+	int met = 0, withoutSlope = 0;
+	for (int i = 0; i < 20000; ++i) {
+		// three points on a line through the axis, but for what doubles lose, at any height
+		const double slope = number(), x[3] = {number(), number(), number()};
+		const Point3d q[3] = {{x[0], x[0] * slope, 1}, {x[1], x[1] * slope, 2}, {x[2], x[2] * slope, 4}};
+		const int turn = textlabel::detail::TurnAroundAxis(q);
+		if (turn == 0) continue;
+		++met;
+		withoutSlope += !(((q[1] - q[0]) ^ (q[2] - q[0]))[2] * turn > 0);
+		const double height = textlabel::detail::HeightOnAxis(q, turn);
+		EXPECT_GE(height, 1 - 1e-12);
+		EXPECT_LE(height, 4 + 1e-12);
+	}
+	EXPECT_GT(met, 100);
+	EXPECT_GT(withoutSlope, 10) << "faces whose normal says nothing";
+}
+
 TEST(SightLine, GoesThroughMovedAndMirroredLayers)
 {
 	vcg::Matrix44d mirror = Identity();
@@ -150,6 +174,22 @@ TEST(PointAndDirection, ComesDownOnTheSurface)
 	const auto side = Plan(AtPoint({30, 0, 5}, {0, -1, 0}))[0].frame;
 	ExpectNear(side.v, {0, 0, 1});  // upright on a wall
 	ExpectNear(side.u, {1, 0, 0});
+}
+
+TEST(PointAndDirection, TakesAnyVertexOfACurvedSurface)
+{
+	Mesh ball;
+	vcg::tri::Sphere(ball, 3);
+	for (const auto& v : ball.vert) {
+		const Point3d p = Point3d::Construct(v.cP());
+		if (p[2] < 0.3) continue;
+		for (const double above :
+		     {0.0, 0.3, -0.3}) {  // it is met in faces around it, at distances that differ in the last digit
+			ExpectNear(Plan(AtPoint(p * (1 + above), p), ProbeOf(ball)).front().frame.origin, p, 1e-7);
+			const Point3d up(0, 0, 1);
+			ExpectNear(Plan(AtPoint(p + up * above, up), ProbeOf(ball)).front().frame.origin, p, 1e-7);
+		}
+	}
 }
 
 TEST(PointAndDirection, ShiftsAndTurns)
