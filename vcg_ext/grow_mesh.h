@@ -183,6 +183,8 @@ void GrowMesh(MeshType& m, size_t vertices, size_t faces)
 	} catch (const std::bad_alloc&) {
 		m.face.resize(oldFaces);
 		m.vert.resize(oldVertices);
+		vcg::tri::ResizeAttribute(m.face_attr, oldFaces, m);
+		vcg::tri::ResizeAttribute(m.vert_attr, oldVertices, m);
 		m.vn = oldVn;
 		m.fn = oldFn;
 		throw Error(ErrorCode::OutOfMemory);
