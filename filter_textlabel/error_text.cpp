@@ -150,6 +150,9 @@ std::string ErrorText(const Error& error, const ErrorContext& context)
 		return "The mesh has no faces: it is empty or a point cloud. Load a surface, or reconstruct one first.";
 	case ErrorCode::NotTriangles:
 		return "The mesh has faces of more than three corners. Run 'Turn into Pure-Triangular mesh' first.";
+	case ErrorCode::TooLarge:
+		return "The mesh has " + Figure(error.value) + " vertices or faces, more than can be numbered (" +
+		       Figure(error.limit) + "). Label a piece of it, or simplify it first.";
 	case ErrorCode::Cancelled: return "Cancelled; the mesh is as it was.";
 	case ErrorCode::OutOfMemory:
 		return "Not enough memory; the mesh is as it was. Close other layers, or make the tolerance coarser.";

@@ -80,10 +80,10 @@ void Count(Board::Worker& w, const std::string& name, long seed)
 
 const char* CodeName(ErrorCode code)
 {
-	constexpr const char* names[] = {"EmptyLabel",   "BadContour", "BadFrame",     "BadHeight",  "EmptyMesh",
-	                                 "NotTriangles", "OffSurface", "FacesAway",    "Border",     "Silhouette",
-	                                 "NonManifold",  "Occluded",   "BehindCamera", "Grazing",    "TooFine",
-	                                 "HitsSurface",  "HitsItself", "Cancelled",    "OutOfMemory"};
+	constexpr const char* names[] = {"EmptyLabel",   "BadContour",  "BadFrame",   "BadHeight",    "EmptyMesh",
+	                                 "NotTriangles", "TooLarge",    "OffSurface", "FacesAway",    "Border",
+	                                 "Silhouette",   "NonManifold", "Occluded",   "BehindCamera", "Grazing",
+	                                 "TooFine",      "HitsSurface", "HitsItself", "Cancelled",    "OutOfMemory"};
 	return names[int(code)];
 }
 

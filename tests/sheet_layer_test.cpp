@@ -79,4 +79,16 @@ TEST(PlaneGrid, FindsWhatTheBruteForceFinds)
 	}
 }
 
+TEST(PlaneGrid, HoldsBoxesThatAllMeet)
+{
+	PlaneBox whole;
+	whole.add({-1, -1});
+	whole.add({1, 1});
+	constexpr size_t count = 60000;  // each in all of 244 x 244 cells: more than an int counts
+	PlaneGrid grid(std::vector<PlaneBox>(count, whole));
+	size_t found = 0;
+	grid.query(whole, [&](int) { ++found; });
+	EXPECT_EQ(found, count);
+}
+
 }  // namespace

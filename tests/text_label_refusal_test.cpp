@@ -141,6 +141,22 @@ TEST(Refusal, BadHeights)
 
 // ---- the mesh ----
 
+TEST(Refusal, MoreThanCanBeNumbered)
+{
+	constexpr size_t most = size_t(std::numeric_limits<int>::max()) / 4;
+	EXPECT_NO_THROW(vcg::textlabel::detail::RequireCountable(most, most));
+	for (const auto& [vertices, faces] : {std::pair{most + 1, size_t(1)}, {size_t(3), most + 1}}) {
+		try {
+			vcg::textlabel::detail::RequireCountable(vertices, faces);
+			ADD_FAILURE() << "no error";
+		} catch (const Error& e) {
+			EXPECT_CODE(e, TooLarge);
+			EXPECT_EQ(e.value, double(most + 1));
+			EXPECT_EQ(e.limit, double(most));
+		}
+	}
+}
+
 TEST(Refusal, EmptyMeshes)
 {
 	EXPECT_CODE(Refused(Shape{}, ThreeLetters()), EmptyMesh);

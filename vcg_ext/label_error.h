@@ -19,6 +19,7 @@ enum class ErrorCode {
 	// the mesh
 	EmptyMesh,     ///< no vertex, no face (a point cloud), or no finite face
 	NotTriangles,  ///< polygons marked by faux edges
+	TooLarge,      ///< `value` vertices or faces, `limit` can be numbered
 	// the place
 	OffSurface,    ///< a letter, or a piece of it, falls beside the surface
 	FacesAway,     ///< the first surface seen there shows its back: normals turned round, or the camera inside

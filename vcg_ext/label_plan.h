@@ -6,7 +6,7 @@
 // carried and are refused with the numbers. Where a placement runs into a coincidence that snapping can't express (a contour that
 // comes back to a vertex where another has been, a face that rounding turns round), the whole label is shifted by a few ulps and laid
 // again, in a fixed spiral, so that the same input always gives the same bytes. No point of a contour moves by more than
-// `resolution`, which is what the result states. No vertex of the mesh moves, ever.
+// `resolution`, which is what the result states. No vertex of the mesh moves to make room for a contour.
 
 #include "cut_repair.h"
 #include "label_clearance.h"
@@ -211,6 +211,7 @@ inline bool LabelPlanner::attempt(const Outline& outline, bool last, LabelPlan& 
 		} catch (const Error& e) {  // a triangle without area has no front: it looks like a horizon
 			if (e.code != ErrorCode::Silhouette || !FlipCaps(sheet_, trianglesAround(e.face), capUlps * meshUlp_))
 				throw;
+			conflict = {"a cap below a cap", space_.project(space_.toLabel(e.place)), e.code};
 			continue;
 		}
 		if (!FlipCaps(sheet_, cutter.visited(), capUlps * meshUlp_)) break;

@@ -178,18 +178,21 @@ inline std::vector<char> PlanarMap::suspects() const
 }
 
 /// Whether two candidates have no more in common in the label plane than corners that they share, for certain.
-inline bool ArePlainlyApart(const Sheet& sheet, int first, int second)
+/// @param[in] slack  label units: what rounding may move; apart is what is further apart
+inline bool ArePlainlyApart(const Sheet& sheet, int first, int second, double slack)
 {
 	const auto keepsOut = [&](int s, int t) {
 		const SheetTriangle &a = sheet.triangles[size_t(s)], &b = sheet.triangles[size_t(t)];
 		for (size_t k = 0; k < 3; ++k) {
 			const int from = a.vertex[k], to = a.vertex[(k + 1) % 3];
-			bool beyond = true;
-			for (const int v : b.vertex)
-				beyond =
-					beyond && (v == from || v == to ||
-				               Orient2d(sheet.plane(from), sheet.plane(to), sheet.plane(v)) * (a.facing ? 1 : -1) < 0);
-			if (beyond) return true;
+			const vcg::Point2d &start = sheet.plane(from), &end = sheet.plane(to), edge = end - start;
+			const double least = slack * edge.Norm();
+			const auto isBeyond = [&](int v) {
+				const vcg::Point2d& p = sheet.plane(v);
+				return v == from || v == to ||
+				       (Orient2d(start, end, p) * (a.facing ? 1 : -1) < 0 && std::abs(edge ^ (p - start)) > least);
+			};
+			if (std::all_of(b.vertex.begin(), b.vertex.end(), isBeyond)) return true;
 		}
 		return false;
 	};
@@ -242,7 +245,7 @@ inline std::vector<std::array<int, 2>> FindNearPairs(const Sheet& sheet, const S
 		box.grow(slack);
 		const auto judge = [&](int other) {
 			if (other == t || nearest < farthest(other)) return;
-			if (!ArePlainlyApart(sheet, other, t)) pairs.push_back({other, t});
+			if (!ArePlainlyApart(sheet, other, t, slack)) pairs.push_back({other, t});
 		};
 		rim.query(sheet, box, judge);
 		if (!isMember) inside.query(sheet, box, judge);

@@ -22,6 +22,15 @@ private:
 		const double size = axis == 0 ? all_.width() : all_.height();
 		return size > 0 ? int(std::clamp((x - all_.low[axis]) / size, 0.0, 1.0) * (side_ - 1)) : 0;
 	}
+	/// How many cells the boxes meet, each for itself.
+	size_t cellsOfAll() const
+	{
+		size_t count = 0;
+		for (const PlaneBox& box : boxes_)
+			count += size_t(cellOf(box.high[0], 0) - cellOf(box.low[0], 0) + 1) *
+			         size_t(cellOf(box.high[1], 1) - cellOf(box.low[1], 1) + 1);
+		return count;
+	}
 	template <class Use>
 	void visitCells(const PlaneBox& box, Use&& use) const
 	{
@@ -42,12 +51,14 @@ private:
 
 inline PlaneGrid::PlaneGrid(std::vector<PlaneBox> boxes) : boxes_(std::move(boxes)), seen_(boxes_.size(), 0)
 {
-	constexpr int mostCells = 256;  // along a side
+	constexpr int mostCells = 256;      // along a side
+	constexpr size_t mostMembers = 32;  // for each box: long ones that lie askew would be in nearly all cells
 	for (const PlaneBox& box : boxes_) {
 		all_.add(box.low);
 		all_.add(box.high);
 	}
 	side_ = std::clamp(int(std::sqrt(double(boxes_.size()))), 1, mostCells);
+	while (side_ > 1 && cellsOfAll() > mostMembers * boxes_.size()) side_ /= 2;
 	start_.assign(size_t(side_) * size_t(side_) + 1, 0);
 	for (const PlaneBox& box : boxes_) visitCells(box, [&](int cell) { ++start_[size_t(cell) + 1]; });
 	for (size_t i = 1; i < start_.size(); ++i) start_[i] += start_[i - 1];

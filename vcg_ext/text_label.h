@@ -18,8 +18,8 @@ namespace vcg::textlabel {
 struct LabelResult {
 	std::vector<int> topFaces;      ///< faces of the letters: tops, floors, or flat
 	std::vector<int> wallFaces;     ///< faces between them and the surface
-	std::vector<int> outsideFaces;  ///< pieces of cut triangles outside the letters
-	int touchedFaces = 0;           ///< triangles of the mesh that were cut, or lie within a letter
+	std::vector<int> outsideFaces;  ///< pieces of cut triangles outside the letters, and caps flipped beside these
+	int touchedFaces = 0;           ///< triangles of the mesh that were cut or flipped, or lie within a letter
 	int newVertices = 0, newFaces = 0;
 	int firstNewVertex = 0;  ///< index of the first new vertex; the rest follow
 	double labelArea = 0;    ///< in the label plane, world units squared
@@ -47,6 +47,14 @@ LabelResult LabelMesh(MeshType& m, const Outline& outline, const LabelFrame& fra
 // ---------------------------------------------------------------------------------------------------------------------------
 
 namespace detail {
+
+/// Half-edges are numbered with ints, those of a label's new faces too.
+inline void RequireCountable(size_t vertices, size_t faces)
+{
+	constexpr size_t most = size_t(std::numeric_limits<int>::max()) / 4;
+	if (std::max(vertices, faces) > most)
+		throw Error(ErrorCode::TooLarge).measured(double(std::max(vertices, faces)), double(most));
+}
 
 inline PlaneBox CheckedBox(const Outline& outline)
 {
@@ -134,15 +142,22 @@ PlannedLabel PlanInBox(const MeshType& m, const LabelSpace& space, const Outline
 	double diagonal = 0;
 	if (ExceedsPart(m, space, p.sheet, std::abs(options.height), diagonal))
 		throw Error(ErrorCode::BadHeight, "larger than the part").measured(std::abs(options.height), diagonal);
+	constexpr bool isDouble = std::is_same_v<typename MeshType::ScalarType, double>;
+	const auto planWith = [&](Precision precision) {
+		p.plan = LabelPlanner(space, p.sheet, precision, options).plan(outline);
+		p.survivesFloat32 = precision.isFloat;
+	};
 	try {
-		p.plan = LabelPlanner(space, p.sheet, Precision{true}, options).plan(outline);
+		try {
+			planWith(Precision{true});
+		} catch (const Error& e) {
+			if (!isDouble || e.code != ErrorCode::TooFine) throw;
+			p.sheet = CollectSheet(m, space, box, depth);
+			planWith(Precision{false});
+		}
 	} catch (const Error& e) {
-		if (e.code == ErrorCode::OffSurface && p.sheet.isShallow)  // or over a surface that shows its back
-			return PlanInBox(m, space, outline, box, std::numeric_limits<double>::infinity(), options);
-		if (!std::is_same_v<typename MeshType::ScalarType, double> || e.code != ErrorCode::TooFine) throw;
-		p.sheet = CollectSheet(m, space, box, depth);
-		p.plan = LabelPlanner(space, p.sheet, Precision{false}, options).plan(outline);
-		p.survivesFloat32 = false;
+		if (e.code != ErrorCode::OffSurface || !p.sheet.isShallow) throw;
+		return PlanInBox(m, space, outline, box, std::numeric_limits<double>::infinity(), options);  // or over a back
 	}
 	return p;
 }
@@ -201,6 +216,7 @@ template <class MeshType>
 LabelResult LabelMeshOrThrow(MeshType& m, const Outline& outline, const LabelFrame& frame, const LabelOptions& options)
 {
 	if (m.vn == 0 || m.fn == 0) throw Error(ErrorCode::EmptyMesh, "no faces");
+	RequireCountable(m.vert.size(), m.face.size());
 	if (!std::isfinite(options.height)) throw Error(ErrorCode::BadHeight, "height is not finite");
 	const LabelSpace space(frame);
 	PlannedLabel planned;
