@@ -15,6 +15,7 @@ struct ErrorContext {
 	std::vector<std::string> letters;  ///< UTF-8, index = Error::letter
 	double size = 0;                   ///< capital height that was tried, mesh units; 0: unknown
 	double depth = 0;                  ///< signed height that was tried, mesh units
+	bool isMade = false;               ///< the label is in the mesh: what failed came after it
 };
 
 /// "The letter 'B' runs over a border of the surface near (1, 2, 3). Move the label, or ..."

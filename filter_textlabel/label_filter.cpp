@@ -20,25 +20,28 @@ vcg::Matrix44d MatrixOf(const CMeshO& m)
 	return matrix;
 }
 
-/// Face colours while the label is made: taken away again when it is refused.
-class FaceColors {
+/// What the layer holds beside its mesh, kept right however the label ends. Face colours are added for it, and taken away again when
+/// it is refused; when it is made, what the layer's adjacency says is no longer so, and MeshLab makes it anew when it is asked for.
+class LayerData {
 public:
-	FaceColors(MeshModel& model, bool wanted)
-		: model_(model), added_(wanted && !model.hasDataMask(MeshModel::MM_FACECOLOR))
+	/// @param[in] context  asked at the end whether the label is made
+	LayerData(MeshModel& model, bool wantsColors, const ErrorContext& context)
+		: model_(model), context_(context), added_(wantsColors && !model.hasDataMask(MeshModel::MM_FACECOLOR))
 	{
 		if (added_) model_.updateDataMask(MeshModel::MM_FACECOLOR);
 	}
-	~FaceColors()
+	~LayerData()
 	{
-		if (added_) model_.clearDataMask(MeshModel::MM_FACECOLOR);
+		if (context_.isMade) model_.clearDataMask(MeshModel::MM_FACEFACETOPO | MeshModel::MM_VERTFACETOPO);
+		else if (added_) model_.clearDataMask(MeshModel::MM_FACECOLOR);
 	}
-	FaceColors(const FaceColors&) = delete;
-	FaceColors& operator=(const FaceColors&) = delete;
-	void keep() { added_ = false; }
+	LayerData(const LayerData&) = delete;
+	LayerData& operator=(const LayerData&) = delete;
 
 private:
 	MeshModel& model_;
-	bool added_;
+	const ErrorContext& context_;
+	const bool added_;
 };
 
 /// Find out before the mesh is changed.
@@ -61,18 +64,14 @@ void WriteText(const char* parameter, const std::string& path, const std::string
 void DrawPicture(const CMeshO& m, const LabelJob<CMeshO>& job, const LabelReport& report)
 {
 	const PartGeometry part = GeometryOf(m, job.frame().toWorld);
-	PictureMesh mesh{part.positions, part.triangles, {}, std::vector<std::uint8_t>(part.triangles.size(), 0)};
-	for (const auto* faces : {&job.result().topFaces, &job.result().wallFaces})
-		for (const int f : *faces) mesh.isLabel[size_t(f)] = 1;
+	const PictureMesh mesh{
+		part.positions, part.triangles, {}, MarkTriangles(m, {&job.result().topFaces, &job.result().wallFaces})};
 	PictureOptions options;
 	if (report.request.style == LabelStyle::Flat || report.request.tint) options.label = report.request.color;
 	const vcg::Point3d direction = report.request.pictureBack ? -job.frame().w : job.frame().w;
 	if (!WritePicture(RenderLabelPicture(mesh, direction, job.frame().v, options), report.request.picture))
 		throw RequestError(RequestProblem::FileNotWritten, "picture", report.request.picture);
 }
-
-/// What the layer's adjacency says is no longer so; MeshLab makes it anew when it is asked for.
-void DropAdjacency(MeshModel& model) { model.clearDataMask(MeshModel::MM_FACEFACETOPO | MeshModel::MM_VERTFACETOPO); }
 
 LabelReport Label(MeshDocument& document, const RichParameterList& list, vcg::CallBackPos* progress,
                   ErrorContext& context)
@@ -86,11 +85,9 @@ LabelReport Label(MeshDocument& document, const RichParameterList& list, vcg::Ca
 	ServiceHost host;
 	host.currentView = CurrentView;
 	if (progress) host.progress = [progress](int percent) { return progress(percent, "Text Label\n"); };
-	FaceColors colors(model, request.style == LabelStyle::Flat || request.tint);
+	const LayerData data(model, request.style == LabelStyle::Flat || request.tint, context);
 	LabelJob<CMeshO> job(model.cm, MatrixOf(model.cm), host, context);
 	const LabelReport report = job.run(request);
-	colors.keep();
-	DropAdjacency(model);
 	if (!request.report.empty()) WriteText("report", request.report, ReportJson(report) + "\n");
 	if (!request.outline.empty()) WriteText("outline", request.outline, OutlineToSvg(job.outline()));
 	if (!request.picture.empty()) DrawPicture(model.cm, job, report);
@@ -102,6 +99,9 @@ template <class Work>
 std::string Guarded(const Work& work)
 {
 	ErrorContext context;
+	const auto told = [&context](const std::string& text) {
+		return context.isMade ? "The label is in the mesh, but not all was written: " + text : text;
+	};
 	try {
 		work(context);
 		return {};
@@ -110,9 +110,10 @@ std::string Guarded(const Work& work)
 	} catch (const TextError& error) {
 		return ErrorText(error);
 	} catch (const RequestError& error) {
-		return ErrorText(error);
+		return told(ErrorText(error));
 	} catch (const std::bad_alloc&) {
-		return ErrorText(vcg::textlabel::Error(vcg::textlabel::ErrorCode::OutOfMemory));
+		return context.isMade ? told("not enough memory.")
+		                      : ErrorText(vcg::textlabel::Error(vcg::textlabel::ErrorCode::OutOfMemory));
 	} catch (const std::exception& error) {
 		return std::string("Something unexpected happened: ") + error.what() +
 		       ". The mesh may be incomplete; load it again.";

@@ -30,7 +30,7 @@ struct FilterOutcome {
 
 /// Label the current layer. Every exception ends here: one that left a filter would end MeshLab.
 /// @param[in] log  takes one message; the report, and a refusal, go there and to stderr
-/// @post not ok: the layer is as it was
+/// @post not ok: the layer is as it was; or wholly labelled, when only a file could not be written, which the message says
 FilterOutcome ApplyFilter(MeshDocument& document, const RichParameterList& list, vcg::CallBackPos* progress,
                           const std::function<void(const std::string&)>& log) noexcept;
 

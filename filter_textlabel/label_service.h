@@ -2,7 +2,8 @@
 // The filter itself: a request and a mesh in, a labelled mesh and a report out; the same for every host.
 //
 // text -> outline (text_outline.h); place -> frames (placement.h); both -> the library (vcg_ext/text_label.h); then what a host
-// expects of a changed mesh. Until the library commits, the mesh is only read; after it, nothing can fail.
+// expects of a changed mesh. Until the library commits, the mesh is only read; after it, all that the mesh needs is done without
+// memory. What is only told (the report) may still run out of it: ErrorContext::isMade knows the difference.
 
 #include "error_text.h"
 #include "label_report.h"
@@ -29,7 +30,7 @@ public:
 		: m_(m), toWorld_(toWorld), host_(host), context_(context)
 	{}
 
-	/// Label the mesh; it is as it was when an exception comes.
+	/// Label the mesh; when an exception comes it is as it was, or wholly labelled if context.isMade.
 	/// @throws vcg::textlabel::Error, TextError, RequestError, std::bad_alloc
 	LabelReport run(const LabelRequest& request);
 
@@ -46,6 +47,7 @@ private:
 	void labelAtDepth(const LabelRequest& request, const TextOutline& outline, double depth);
 	void finish(const LabelRequest& request, bool anySelected);
 	void updateNormals();
+	void countAgain(MeshNumbers& before, MeshNumbers& after) const;
 	LabelReport report(const LabelRequest& request) const;
 
 	MeshType& m_;
@@ -89,6 +91,7 @@ LabelReport LabelJob<MeshType>::run(const LabelRequest& asked)
 	StageClock clock;
 	const PartBoxes boxes = BoxesOf(m_, toWorld_);
 	box_ = boxes.world;
+	vcg::textlabel::detail::RequireCountable(m_.vert.size(), m_.face.size());
 	if (m_.FN() == 0 || box_.IsNull()) throw RequestError(RequestProblem::EmptyPart);
 	CheckRequest(request, box_);
 	constexpr int countedUpTo =
@@ -105,19 +108,30 @@ LabelReport LabelJob<MeshType>::run(const LabelRequest& asked)
 	const std::vector<Attempt> attempts = PlanAttempts(request, viewFor(request), probe(), text);
 	clock.end("place");
 	label(request, attempts, text);
+	context_.isMade = true;
 	clock.end("label");
 	finish(request, faces.anySelected);
 	clock.end("finish");
-	outline_ = text.at(size_);
 	LabelReport made = report(request);
 	made.before = made.after = before;
 	made.after.vertices = m_.VN();
 	made.after.triangles = m_.FN();
 	made.after.volume += result_.addedVolume;
-	if (counts) CountTopology(m_, made.after);
+	if (counts) countAgain(made.before, made.after);
 	clock.end("measure_again");
 	made.milliseconds = clock.stages();
 	return made;
+}
+
+/// The topology after the label, where there is memory left to count it; else none is told.
+template <class MeshType>
+void LabelJob<MeshType>::countAgain(MeshNumbers& before, MeshNumbers& after) const
+{
+	try {
+		CountTopology(m_, after);
+	} catch (const std::bad_alloc&) {
+		before.hasTopology = after.hasTopology = false;
+	}
 }
 
 /// The first attempt that the library takes; when it takes none, the error of the first one.
@@ -128,7 +142,11 @@ void LabelJob<MeshType>::label(const LabelRequest& request, const std::vector<At
 	ErrorContext firstContext;
 	for (const Attempt& attempt : attempts) {
 		try {
-			return tryAttempt(request, attempt, text.at(attempt.size));
+			outline_ = text.at(attempt.size);
+			return tryAttempt(request, attempt, outline_);
+		} catch (const TextError&) {
+			if (!first) throw;
+			break;  // a smaller size, too small for the text: not what was wrong
 		} catch (const vcg::textlabel::Error& error) {
 			if (!DependsOnPlace(error.code)) throw;
 			if (first) continue;
@@ -195,38 +213,36 @@ void LabelJob<MeshType>::finish(const LabelRequest& request, bool anySelected)
 	updateNormals();
 }
 
-/// New faces get their normals; so do the vertices that are new or may have moved. All faces around these are new.
+/// New faces get their normals; so do the vertices that are new or have moved. All faces around these are new.
+/// Needs no memory: these are marked as visited.
 template <class MeshType>
 void LabelJob<MeshType>::updateNormals()
 {
-	const auto indexOf = [&](const auto& f, int k) { return int(f.cV(k) - m_.vert.data()); };
-	std::vector<int> changed;  // ascending
-	for (const int f : result_.topFaces)
-		for (int k = 0; k < 3; ++k) changed.push_back(indexOf(m_.face[size_t(f)], k));
-	std::sort(changed.begin(), changed.end());
-	changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
-	changed.erase(std::lower_bound(changed.begin(), changed.end(), result_.firstNewVertex), changed.end());
-	const auto isOldAndChanged = [&, old = changed.size()](int v) {
-		return std::binary_search(changed.begin(), changed.begin() + std::ptrdiff_t(old), v);
-	};
-	for (int v = result_.firstNewVertex; v < int(m_.vert.size()); ++v) changed.push_back(v);
-
 	const bool perVertex = vcg::tri::HasPerVertexNormal(m_), perFace = vcg::tri::HasPerFaceNormal(m_);
-	for (const int v : changed)
-		if (perVertex) m_.vert[size_t(v)].N().SetZero();
-	for (const auto* faces : {&result_.topFaces, &result_.wallFaces, &result_.outsideFaces})
-		for (const int index : *faces) {
-			auto& f = m_.face[size_t(index)];
-			const auto normal = vcg::TriangleNormal(f).Normalize();
-			if (perFace) f.N() = normal;
-			for (int k = 0; k < 3 && perVertex; ++k) {  // weighted by the angle, as MeshLab does it
-				const int v = indexOf(f, k);
-				if (v >= result_.firstNewVertex || isOldAndChanged(v))
-					f.V(k)->N() += normal * vcg::Angle(f.P1(k) - f.P(k), f.P2(k) - f.P(k));
-			}
-		}
-	for (const int v : changed)
-		if (perVertex) m_.vert[size_t(v)].N().Normalize();
+	const auto* const firstNew = m_.vert.data() + result_.firstNewVertex;
+	const auto eachCorner = [&](const auto& use) {
+		for (const auto* faces : {&result_.topFaces, &result_.wallFaces, &result_.outsideFaces})
+			for (const int f : *faces)
+				for (int k = 0; k < 3; ++k) use(m_.face[size_t(f)], k);
+	};
+	eachCorner([&](auto& f, int k) { f.V(k) >= firstNew ? f.V(k)->SetV() : f.V(k)->ClearV(); });
+	if (height_ != 0)  // the old corners of a letter's top have moved with it
+		for (const int f : result_.topFaces)
+			for (int k = 0; k < 3; ++k) m_.face[size_t(f)].V(k)->SetV();
+	eachCorner([&](auto& f, int k) {
+		if (perVertex && f.V(k)->IsV()) f.V(k)->N().SetZero();
+	});
+	eachCorner([&](auto& f, int k) {
+		const auto normal = vcg::TriangleNormal(f).Normalize();
+		if (perFace) f.N() = normal;
+		if (perVertex && f.V(k)->IsV())  // weighted by the angle, as MeshLab does it
+			f.V(k)->N() += normal * vcg::Angle(f.P1(k) - f.P(k), f.P2(k) - f.P(k));
+	});
+	eachCorner([&](auto& f, int k) {
+		if (!f.V(k)->IsV()) return;
+		f.V(k)->ClearV();
+		if (perVertex) f.V(k)->N().Normalize();
+	});
 }
 
 template <class MeshType>

@@ -13,13 +13,6 @@
 
 namespace textlabel {
 
-template <class MeshType>
-vcg::Point3d PointOf(const MeshType& m, size_t vertex)
-{
-	const auto& p = m.vert[vertex].cP();
-	return {double(p[0]), double(p[1]), double(p[2])};
-}
-
 /// Bounding boxes of the finite vertices, null when there is none.
 struct PartBoxes {
 	vcg::Box3d mesh, world;  ///< in mesh and in world coordinates
@@ -60,7 +53,7 @@ PartBoxes BoxesOf(const MeshType& m, const vcg::Matrix44d& toWorld)
 	EachChunk(m.vert.size(), chunks, [&](size_t chunk, size_t first, size_t last) {
 		detail::GrowingBox mesh, world;
 		for (size_t i = first; i < last; ++i) {
-			const vcg::Point3d p = PointOf(m, i);
+			const vcg::Point3d p = vcg::textlabel::PointOf(m.vert[i]);
 			if (m.vert[i].IsD() || !IsFinite(p)) continue;
 			mesh.add(p);
 			if (!isMoved) continue;
@@ -95,7 +88,7 @@ FaceSums SumFaces(const MeshType& m, const vcg::Point3d& from)
 		for (size_t f = first; f < last; ++f) {
 			if (m.face[f].IsD()) continue;
 			vcg::Point3d p[3];
-			for (int k = 0; k < 3; ++k) p[k] = PointOf(m, size_t(m.face[f].cV(k) - m.vert.data())) - from;
+			for (int k = 0; k < 3; ++k) p[k] = vcg::textlabel::PointOf(*m.face[f].cV(k)) - from;
 			const double six = p[0] * (p[1] ^ p[2]);
 			if (std::isfinite(six)) sum.volume += six / 6;
 			sum.anySelected = sum.anySelected || m.face[f].IsS();
@@ -128,12 +121,13 @@ void CountTopology(const MeshType& m, MeshNumbers& numbers)
 }
 
 /// The part as arrays, in world coordinates; a mirroring matrix is undone, so that triangles stay counter-clockwise from outside.
+/// Deleted faces are left out, so the triangles have numbers of their own.
 template <class MeshType>
 PartGeometry GeometryOf(const MeshType& m, const vcg::Matrix44d& toWorld)
 {
 	PartGeometry part;
 	part.positions.reserve(m.vert.size());
-	for (size_t i = 0; i < m.vert.size(); ++i) part.positions.push_back(toWorld * PointOf(m, i));
+	for (size_t i = 0; i < m.vert.size(); ++i) part.positions.push_back(toWorld * vcg::textlabel::PointOf(m.vert[i]));
 	const bool mirrors = toWorld.Determinant() < 0;
 	for (const auto& f : m.face) {
 		if (f.IsD()) continue;
@@ -141,6 +135,19 @@ PartGeometry GeometryOf(const MeshType& m, const vcg::Matrix44d& toWorld)
 		part.triangles.push_back({vertex(0), vertex(mirrors ? 2 : 1), vertex(mirrors ? 1 : 2)});
 	}
 	return part;
+}
+
+/// Which triangles of GeometryOf are among some faces of the mesh.
+/// @return #triangles, 1 or 0
+template <class MeshType>
+std::vector<std::uint8_t> MarkTriangles(const MeshType& m, std::initializer_list<const std::vector<int>*> lists)
+{
+	std::vector<std::uint8_t> isListed(m.face.size(), 0), marked;
+	for (const auto* faces : lists)
+		for (const int f : *faces) isListed[size_t(f)] = 1;
+	for (size_t f = 0; f < m.face.size(); ++f)
+		if (!m.face[f].IsD()) marked.push_back(isListed[f]);
+	return marked;
 }
 
 }  // namespace textlabel

@@ -1,6 +1,5 @@
 // A whole run on a bare mesh: what is left behind, what is reported, and that a refusal leaves nothing.
 
-#define TEXTLABEL_LEAST_CHUNK 5  // several chunks on small meshes, where there are cores
 #include "filter_textlabel/label_service.h"
 #include "test_mesh.h"
 
@@ -16,6 +15,9 @@ using Mesh = test_mesh::RichMesh;
 using vcg::Point3d;
 
 namespace {
+
+/// Several chunks on small meshes, where there are cores.
+[[maybe_unused]] const size_t chunk = vcg::textlabel::leastChunk = 5;
 
 /// A plate of 60 x 40 whose thickness is given, its faces finely cut along x.
 void MakePlate(Mesh& m, float thickness, int columns = 12)
@@ -114,6 +116,50 @@ TEST(Service, LeavesSelectionNormalsAndBoxAsTheyShouldBe)
 		for (size_t f = 0; f < m.face.size(); ++f) EXPECT_LE((m.face[f].N() - fresh.face[f].N()).Norm(), 1e-5);
 		for (size_t v = 0; v < m.vert.size(); ++v) EXPECT_LE((m.vert[v].N() - fresh.vert[v].N()).Norm(), 1e-4) << v;
 	}
+}
+
+TEST(Service, AFlatLabelLeavesTheNormalsOfTheSurfaceAlone)
+{
+	Mesh m;
+	test_mesh::Fill(m, test_mesh::Slab(60, 40, 5, 60, 40));
+	const int old = m.vn;
+	for (auto& v : m.vert) v.N() = {0.6f, 0, 0.8f};  // a file's own, which its faces don't say
+	LabelRequest request = OnTop(16, 1);
+	request.position = {0, 0, 0};
+	request.style = LabelStyle::Flat;
+	request.text = "I";  // its edges run through vertices, others lie within
+	const Finished run = RunOn(m, request);
+	EXPECT_GT(run.result.newVertices, 0);
+	for (int v = 0; v < old; ++v) EXPECT_EQ(m.vert[size_t(v)].N(), Mesh::CoordType(0.6f, 0, 0.8f)) << v;
+	for (int v = old; v < m.vn; ++v) EXPECT_NEAR(m.vert[size_t(v)].N()[2], 1, 1e-6) << v;
+}
+
+TEST(Service, MarksTheLabelsTrianglesWhereFacesAreDeleted)
+{
+	Mesh m;
+	MakePlate(m, 5);
+	for (int i = 0; i < 2; ++i)
+		vcg::tri::Allocator<Mesh>::DeleteFace(m, m.face[size_t(4 * i + 2)]);  // of the underside
+	const Finished run = RunOn(m, OnTop(8, 1));
+	const PartGeometry part = GeometryOf(m, vcg::textlabel::LabelFrame::Identity());
+	const auto marked = MarkTriangles(m, {&run.result.topFaces, &run.result.wallFaces});
+	ASSERT_EQ(part.triangles.size(), size_t(m.fn));
+	ASSERT_EQ(marked.size(), part.triangles.size());
+	for (size_t t = 0; t < marked.size(); ++t) {
+		double highest = 0;
+		for (const int v : part.triangles[t]) highest = std::max(highest, part.positions[size_t(v)][2]);
+		EXPECT_EQ(marked[t] == 1, highest > 5) << t;
+	}
+}
+
+TEST(Service, TheFirstRefusalIsTold)
+{
+	Mesh m;
+	MakePlate(m, 5);
+	LabelRequest request = OnTop(ChosenToFit, 1);
+	request.position = {30, 0.5, 5};  // at the edge: no size fits
+	request.minStroke = 0.5;          // and the smallest would be too thin
+	EXPECT_THROW(RunOn(m, request), vcg::textlabel::Error);
 }
 
 TEST(Service, ColoursWhatIsAskedFor)
