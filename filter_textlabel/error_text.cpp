@@ -1,4 +1,5 @@
 #include "error_text.h"
+#include "label_request.h"
 
 #include <cmath>
 #include <cstdio>
@@ -40,7 +41,22 @@ std::string UseDepth(const Error& error)
 	                                                     : "Use a smaller depth";
 }
 
-const char* const moveIt = "Move the label (position, offset), turn it, or make it smaller (size).";
+const char* const moveIt =
+	"Move the label (position, offset_u, offset_v), turn it (rotation), or make it smaller (size).";
+
+// MeshLab's own filters, by the names that its menus have.
+const std::string invertFaces = "'Invert Faces Orientation'";
+const std::string triangulate = "'Turn into a Pure-Triangular mesh'";
+#if MESHLAB_API == 2025
+const std::string orientFaces = "'Re-Orient all faces coherently'";
+#else
+const std::string orientFaces = "'Re-Orient all faces coherentely'";
+#endif
+#if MESHLAB_API == 2020
+const std::string repairEdges = "'Repair non Manifold Edges by removing faces'";
+#else
+const std::string repairEdges = "'Repair non Manifold Edges'";
+#endif
 
 /// Refusals that name a letter and a place.
 std::string PlaceText(const Error& error, const ErrorContext& context)
@@ -50,19 +66,17 @@ std::string PlaceText(const Error& error, const ErrorContext& context)
 	case ErrorCode::OffSurface: return letter + " lies beside the surface" + where + ". " + moveIt;
 	case ErrorCode::FacesAway:
 		return letter + " meets the back of the surface" + where +
-		       ". Look at the part from outside; when it looks right there, its faces are turned inside out: run "
-		       "'Re-Orient "
-		       "all faces coherently' or 'Invert Faces Orientation' first.";
+		       ". Look at the part from outside; when it looks right there, its faces are turned inside out: run " +
+		       orientFaces + " or " + invertFaces + " first.";
 	case ErrorCode::Border:
 		return letter + " runs over a border or a hole of the surface" + where + ". " + moveIt +
 		       " Or close the hole first.";
 	case ErrorCode::Silhouette:
-		return letter + " runs over the silhouette of the part as seen from the viewpoint" + where + ". " + moveIt;
+		return letter + " runs over the horizon of the part as seen from the viewpoint" + where + ". " + moveIt;
 	case ErrorCode::NonManifold:
 		return letter +
 		       " lies on an edge that is not manifold (three or more faces, or faces of opposite orientation)" + where +
-		       ". Move the label, or repair the part first ('Repair non Manifold Edges', 'Re-Orient all faces "
-		       "coherently').";
+		       ". Move the label, or repair the part first (" + repairEdges + ", " + orientFaces + ").";
 	case ErrorCode::Occluded:
 		return letter + " is partly hidden from the viewer by another surface" + where +
 		       ". Look at the place from another side, or move the label.";
@@ -149,7 +163,7 @@ std::string ErrorText(const Error& error, const ErrorContext& context)
 	case ErrorCode::EmptyMesh:
 		return "The mesh has no faces: it is empty or a point cloud. Load a surface, or reconstruct one first.";
 	case ErrorCode::NotTriangles:
-		return "The mesh has faces of more than three corners. Run 'Turn into Pure-Triangular mesh' first.";
+		return "The mesh has faces of more than three corners. Run " + triangulate + " first.";
 	case ErrorCode::TooLarge:
 		return "The mesh has " + Figure(error.value) + " vertices or faces, more than can be numbered (" +
 		       Figure(error.limit) + "). Label a piece of it, or simplify it first.";
@@ -166,9 +180,11 @@ std::string ErrorText(const RequestError& error)
 {
 	switch (error.problem) {
 	case RequestProblem::UnknownParameter:
-		return "There is no parameter '" + error.parameter + "'. See the filter's help for their names.";
+		return "There is no parameter '" + error.parameter +
+		       "'. The filter's help and label.sh --parameters have the names.";
 	case RequestProblem::UnreadableValue:
-		return "The value '" + error.detail + "' of " + error.parameter + " cannot be read.";
+		return "The value '" + error.detail + "' of " + error.parameter + " cannot be read. Give " +
+		       TakenText(error.parameter) + ".";
 	case RequestProblem::EmptyPart:
 		return "The mesh has no faces: it is empty or a point cloud. Load a surface, or reconstruct one first.";
 	case RequestProblem::CameraNotXml:
@@ -184,8 +200,9 @@ std::string ErrorText(const RequestError& error)
 			   "label is in its centre, or change offset_u and offset_v.";
 	case RequestProblem::ViewFromInside:
 		return "The camera is inside the part, or the part's faces are turned inside out: the first face in the view "
-			   "shows its back. Move "
-			   "the camera outside, or run 'Invert Faces Orientation' first.";
+		       "shows its back. Move "
+		       "the camera outside, or run " +
+		       invertFaces + " first.";
 	case RequestProblem::DirectionZero:
 		return "The direction is zero. Give a vector from the surface to the viewer, for example 0 0 1 for a label "
 			   "read from above.";

@@ -79,6 +79,22 @@ std::string TextOf(Choice value)
 	return ChoiceNames(value)[size_t(value)];
 }
 
+// ---- what a person may write, one overload for each type of member
+
+std::string Taken(const std::string&) { return "printable UTF-8 text"; }
+std::string Taken(double) { return "a number"; }
+std::string Taken(bool) { return "true or false"; }
+std::string Taken(const vcg::Point3d&) { return "three numbers, as 0,0,1"; }
+std::string Taken(const Rgb&) { return "a colour, as ff8000"; }
+
+template <class Choice>
+std::string Taken(Choice value)
+{
+	std::string text;
+	for (const std::string& name : ChoiceNames(value)) text += (text.empty() ? "one of " : ", ") + name;
+	return text;
+}
+
 // ---- value of a text; false: unreadable
 
 bool Read(const std::string& text, std::string& value)
@@ -187,6 +203,29 @@ void SetValue(const Parameter& parameter, LabelRequest& request, const std::stri
 	VisitMember(parameter, request, [&](auto& value) {
 		if (!Read(text, value)) throw RequestError(RequestProblem::UnreadableValue, parameter.name, text);
 	});
+}
+
+std::string TakenText(const std::string& name)
+{
+	const Parameter* const parameter = FindParameter(name);
+	if (!parameter) return "name=value; name=value";
+	if (parameter->fileEnding()) return std::string("the name of a .") + parameter->fileEnding() + " file";
+	const LabelRequest defaults;
+	std::string text;
+	VisitMember(*parameter, defaults, [&](const auto& value) { text = Taken(value); });
+	return text;
+}
+
+std::string ParameterHelp()
+{
+	const LabelRequest defaults;
+	std::string help;
+	for (const Parameter& p : ParameterTable()) {
+		const std::string value = ValueText(p, defaults);
+		help += std::string(p.name) + "  " + TakenText(p.name) + "; default " + (value.empty() ? "empty" : value) +
+		        "\n    " + p.help + "\n";
+	}
+	return help;
 }
 
 std::string MoreHelp()

@@ -123,6 +123,13 @@ std::string ValueText(const Parameter& parameter, const LabelRequest& request);
 /// @throws RequestError{UnreadableValue} with the parameter's name
 void SetValue(const Parameter& parameter, LabelRequest& request, const std::string& text);
 
+/// What a parameter takes, in words that go on from "Give": "a number", "one of Emboss, Engrave, Flat".
+/// @param[in] name  of any row, or moreName
+std::string TakenText(const std::string& name);
+
+/// Every parameter as a person reads it: name, what it takes, default, help.
+std::string ParameterHelp();
+
 /// Where a host has one text for all advanced parameters (MeshLab 2020.09, whose dialog would outgrow the screen): its name.
 constexpr const char* moreName = "more";
 constexpr const char* moreLabel = "More options";

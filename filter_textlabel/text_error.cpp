@@ -67,7 +67,7 @@ std::string TextSentence(const TextError& e)
 		       " can be set: shorten it.";
 	case TextErrorCode::MissingGlyphs:
 		return "No glyph in " + Font(e) + " for " + Characters(e) +
-		       ": choose a font that has them, or allow fallback fonts.";
+		       ": choose a font that has them, or set fallback_fonts=true.";
 	case TextErrorCode::NoOutlines:
 		return "There are no outlines to cut in " + Font(e) +
 		       (e.codePoints.empty() ? std::string(", only bitmaps")
@@ -115,7 +115,7 @@ std::string OptionSentence(const TextError& e)
 		                    : "give a length that is not negative; 0 chooses one.");
 	case TextErrorCode::BadSpacing:
 		return "The " + std::string(e.detail == "lineSpacing" ? "line" : "letter") + " spacing is " + value +
-		       ": give a factor up to " + limit + ".";
+		       ": give a factor from " + Number(e.least) + " to " + limit + ".";
 	case TextErrorCode::BadSlant: return "The slant is " + value + " degrees: give at most " + limit + " either way.";
 	case TextErrorCode::BadEmbolden:
 		return "Emboldening by " + value + " is out of range: give at most " + limit +
@@ -137,9 +137,9 @@ std::string ResultSentence(const TextError& e)
 {
 	switch (e.code) {
 	case TextErrorCode::TooThin:
-		return "The narrowest " + e.detail + " measures " + Number(e.value) + ", " + Number(e.limit) +
-		       " is asked for; too narrow: " + Letters(e) + ": a size of " + NumberAbove(e.size) +
-		       " would do, or a bolder font.";
+		return "The narrowest " + e.detail + " measures " + Number(e.value) + ", where " + Number(e.limit) +
+		       " is asked for (too narrow in " + Letters(e) + "): a size of " + NumberAbove(e.size) +
+		       " would do, or a " + (e.detail == "gap" ? "lighter" : "bolder") + " font.";
 	case TextErrorCode::LetterVanished:
 		return "Nothing is left of " + Letters(e) +
 		       " at this tolerance and weight: give a finer tolerance, or thin less.";

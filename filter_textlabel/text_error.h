@@ -28,7 +28,7 @@ enum class TextErrorCode {
 	// the options
 	BadSize,        ///< capital height or width to fit not a positive finite number: `value`
 	BadTolerance,   ///< chord error negative, not a number, or too coarse for the letters: `value`, `limit`
-	BadSpacing,     ///< line or letter spacing not finite or out of range: `value`
+	BadSpacing,     ///< line or letter spacing not finite or out of range: `value`, `least`, `limit`
 	BadSlant,       ///< degrees: `value`, at most `limit` either way
 	BadEmbolden,    ///< `value` not finite, or larger than `limit`
 	BadArc,         ///< the text does not fit on the arc: radius `value`, `limit` is the least that works
@@ -50,6 +50,7 @@ struct TextError : std::exception {
 	std::vector<std::string> letters;  ///< UTF-8, each once
 	std::size_t offset = 0;            ///< byte of the text
 	double value = 0, limit = 0;       ///< measured and allowed, see the code
+	double least = 0;                  ///< lowest allowed, of BadSpacing; `limit` is the highest
 	double size = 0;                   ///< capital height that would do, mesh units
 
 	explicit TextError(TextErrorCode c, std::string d = {}) : code(c), detail(std::move(d)) {}
@@ -67,6 +68,11 @@ struct TextError : std::exception {
 	{
 		value = v;
 		limit = l;
+		return *this;
+	}
+	TextError& notBelow(double l)
+	{
+		least = l;
 		return *this;
 	}
 	const char* what() const noexcept override { return detail.c_str(); }

@@ -31,7 +31,8 @@ void RequirePositive(double value, const char* what)
 /// A finite value in a range, or the error.
 void Require(double value, double low, double high, TextErrorCode code, const char* what)
 {
-	if (!(value >= low && value <= high)) throw TextError(code, what).measured(value, std::max(std::abs(low), high));
+	if (!(value >= low && value <= high))
+		throw TextError(code, what).measured(value, std::max(std::abs(low), high)).notBelow(low);
 }
 
 void CheckOptions(const TextOptions& options)

@@ -82,9 +82,12 @@ TEST(ErrorText, EveryProblemOfARequestHasItsOwn)
 	std::set<std::string> texts;
 	for (int problem = 0; problem <= int(RequestProblem::FileNotWritten); ++problem) {
 		const std::string text = ErrorText(RequestError(RequestProblem(problem), "size", "detail").measured(3, 2));
-		if (problem != int(RequestProblem::UnreadableValue)) ExpectReadable(text);
+		ExpectReadable(text);
 		EXPECT_TRUE(texts.insert(text).second) << "twice: " << text;
 	}
+	const std::string style = ErrorText(RequestError(RequestProblem::UnreadableValue, "style", "raised"));
+	EXPECT_NE(style.find("'raised' of style"), std::string::npos) << style;
+	EXPECT_NE(style.find("Give one of Emboss, Engrave, Flat."), std::string::npos) << style;
 	const std::string large = ErrorText(RequestError(RequestProblem::LargerThanPart, "depth").measured(30, 13.5));
 	EXPECT_NE(large.find("depth is 30"), std::string::npos) << large;
 	EXPECT_NE(large.find("13.5"), std::string::npos) << large;

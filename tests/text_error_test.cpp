@@ -45,6 +45,8 @@ TEST(TextError, DataIsInTheSentence)
 	const std::string sentence = Sentence(thin.measured(0.31, 0.4));
 	for (const char* datum : {"stroke", "0.31", "0.4", "\"i\", \"ß\"", "23.51"})
 		EXPECT_NE(sentence.find(datum), std::string::npos) << datum << " in " << sentence;
+	TextError wide(TextErrorCode::BadSpacing, "letterSpacing");
+	EXPECT_NE(Sentence(wide.measured(-2, 100).notBelow(-1)).find("from -1 to 100"), std::string::npos);
 	EXPECT_NE(Sentence(TextError(TextErrorCode::EmptyText).ofFont("")).find("blank"), std::string::npos);
 }
 
