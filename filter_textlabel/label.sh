@@ -9,6 +9,7 @@ here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 usage() {
 	cat <<'END'
 usage: label.sh [options] [--] INPUT OUTPUT TEXT
+       label.sh --parameters    list the filter's parameters, for --set
 
 INPUT, OUTPUT   mesh files: STL, PLY, OBJ, OFF and what else MeshLab reads and writes
 TEXT            the text; \n breaks a line
@@ -25,10 +26,10 @@ How:
   --size H              height of a capital letter, mesh units (default: chosen to fit)
   --depth D             mesh units (default: chosen from the size)
   --along viewpoint|label|surface
-  --font F              family ("DejaVu Sans:Bold") or font file
-  --tolerance T         chord error of curves, mesh units
-  --color RRGGBB        of the letters' faces
-  --set NAME=VALUE      any other parameter of the filter
+  --font F              family ("DejaVu Sans:Bold"), font file, or either with axes ("Inter:wght=650")
+  --tolerance T         largest distance between the font's curves and what is cut, mesh units
+  --color RRGGBB        of the letters' faces, raised and sunk ones too
+  --set NAME=VALUE      any parameter; position, direction or camera say where, as above
 What else to write:
   --report FILE.json    the report of the run
   --picture FILE.png    a picture of the result
@@ -55,16 +56,29 @@ files=()
 at=
 direction=
 camera=
-colors=
 
 # A path that stays right when MeshLab changes its folder.
 absolute() { realpath -ms -- "$1"; }
+
+# The same of a font, which may be a family; behind a file's name a face or axes may stand: font.ttc#1, font.ttf:wght=650.
+absolute_font() {
+	local file=$1
+	while [ ! -f "$file" ] && [[ $file == *[:#]* ]]; do file=${file%[:#]*}; done
+	if [ -f "$file" ]; then printf '%s%s' "$(absolute "$file")" "${1#"$file"}"; else printf '%s' "$1"; fi
+}
+
+# The program that knows the parameters. $1: the plugin that it was built beside.
+script_program() { echo "${TEXTLABEL_SCRIPT:-$(dirname "$1")/textlabel_script}"; }
 
 while [ $# -gt 0 ]; do
 	option=$1
 	shift
 	case $option in
 	--help | -h) usage; exit 0 ;;
+	--parameters)
+		plugin=$("$here/build.sh") || refuse "The plugin could not be built (see above)."
+		exec "$(script_program "$plugin")" --parameters
+		;;
 	--) files+=("$@"); break ;;
 	--at | --direction | --up | --camera | --offset | --rotate | --style | --size | --depth | --along | --font | --tolerance | \
 		--color | --set | --report | --picture | --outline)
@@ -86,25 +100,22 @@ while [ $# -gt 0 ]; do
 		;;
 	--rotate) parameters+=("rotation=$value") ;;
 	--along) parameters+=("extrude_along=$value") ;;
-	--font)
-		if [ -e "$value" ]; then value=$(absolute "$value"); fi
-		parameters+=("font=$value")
+	--size | --depth | --tolerance | --font | --color | --style | --report | --picture | --outline)
+		parameters+=("${option#--}=$value")
 		;;
-	--color) colors="fc"; parameters+=("color=$value" "tint=true") ;;
-	--style)
-		parameters+=("style=$value")
-		if [[ ${value,,} == f* ]]; then colors="fc"; fi
+	--set)
+		[[ $value == *=* ]] || wrong "--set needs NAME=VALUE, not '$value'"
+		parameters+=("$value")
 		;;
-	--size | --depth | --tolerance) parameters+=("${option#--}=$value") ;;
-	--set) parameters+=("$value") ;;
-	--report | --picture | --outline) parameters+=("${option#--}=$(absolute "$value")") ;;
 	esac
 done
-[ ${#files[@]} -eq 3 ] || wrong "INPUT, OUTPUT and TEXT are needed; ${#files[@]} of the three are there"
+if [ ${#files[@]} -lt 3 ]; then
+	wrong "INPUT, OUTPUT and TEXT are needed; ${#files[@]} of the three are there"
+elif [ ${#files[@]} -gt 3 ]; then
+	wrong "INPUT, OUTPUT and TEXT are all that is needed, and '${files[3]}' is one more; write a text with blanks in quotes"
+fi
 input=${files[0]} output=${files[1]}
-placement=automatic
 if [ -n "$at" ]; then
-	placement=point
 	parameters+=("position=$at" ${direction:+"direction=$direction"})
 elif [ -n "$direction" ]; then
 	wrong "--direction goes with --at"
@@ -113,15 +124,28 @@ if [ -n "$camera" ]; then
 	[ -z "$at" ] || wrong "--camera and --at say two different places"
 	view=$(iconv -f UTF-8 -t UTF-8 -- "$camera" 2>/dev/null | tr -d '\0') ||
 		refuse "The camera file '$camera' cannot be read as text. Give what MeshLab copied, as a file."
-	placement=camera
 	parameters+=("camera=$view")
 fi
-parameters=("placement=$placement" "${parameters[@]}" "text=${files[2]}")
+parameters+=("text=${files[2]}")
+
+# What the parameters mean for files, whichever option they came by.
+colors=
+for i in "${!parameters[@]}"; do
+	name=${parameters[i]%%=*} value=${parameters[i]#*=}
+	case $name in
+	report | picture | outline) [ -z "$value" ] || parameters[i]=$name=$(absolute "$value") ;;
+	font) parameters[i]=$name=$(absolute_font "$value") ;;
+	style) if [[ ${value,,} == f* || $value == 2 ]]; then colors="fc"; fi ;;
+	color) colors="fc" ;;
+	tint) if [[ $value == true || $value == 1 ]]; then colors="fc"; fi ;;
+	esac
+done
 
 # ---- what can be refused before MeshLab starts
 
 [ -f "$input" ] && [ -r "$input" ] || refuse "The mesh '$input' cannot be read. Check its name."
-[ -n "$output" ] && [ ! -d "$output" ] || refuse "The output '$output' is a folder. Give a file name."
+[ -n "$output" ] || refuse "The name of the output is empty. Give a file name."
+[ ! -d "$output" ] || refuse "The output '$output' is a folder. Give a file name."
 folder=$(dirname -- "$output")
 [ -d "$folder" ] || refuse "The folder of '$output' does not exist. Make it first, or choose another one."
 [ -w "$folder" ] || refuse "The folder of '$output' cannot be written to. Choose another one."
@@ -138,7 +162,7 @@ clean_up() {
 trap clean_up EXIT
 
 plugin=$("$here/build.sh") || refuse "The plugin could not be built (see above)."
-"${TEXTLABEL_SCRIPT:-$(dirname "$plugin")/textlabel_script}" "${parameters[@]}" >"$work/label.mlx" || wrong "a value cannot be used"
+"$(script_program "$plugin")" "${parameters[@]}" >"$work/label.mlx" || wrong "a value cannot be used"
 
 # ---- run MeshLab
 
@@ -182,7 +206,7 @@ if [ ! -s "$work/labelled.$ending" ] || [ $status -ne 0 ]; then
 	cat "$work/log" "$work/errors" >&2
 	if ! grep -qa "^Mesh .* loaded has" "$work/log"; then refuse "MeshLab cannot read the mesh '$input'. Check that it is what its ending says."; fi
 	if [ $status -eq 0 ]; then refuse "MeshLab cannot write the format '$ending'. Use .stl, .ply, .obj or .off."; fi
-	refuse "MeshLab ended unexpectedly (status $status, see above)."
+	refuse "MeshLab ended unexpectedly (status $status, see above). Check the mesh by opening it in MeshLab; for a very large one, that there is memory enough."
 fi
 
 # ---- the output appears as a whole or not at all
@@ -197,3 +221,6 @@ if [ -f "$materials" ]; then
 	cp -- "$materials" "$fresh.mtl" && mv -f -- "$fresh.mtl" "$output.mtl" || refuse "'$output.mtl' could not be written. Is the disk full?"
 fi
 cp -- "$work/labelled.$ending" "$fresh" && mv -f -- "$fresh" "$output" || refuse "'$output' could not be written. Is the disk full?"
+if [ -n "$colors" ] && [ "${ending,,}" = stl ]; then
+	echo "label.sh: the letters' colour is in '$output', but few programs read colours from an STL file. Name it .ply or .obj instead." >&2
+fi

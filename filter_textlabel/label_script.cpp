@@ -1,4 +1,5 @@
 // textlabel_script NAME=VALUE...: print the filter script (.mlx) of a label, all parameters in it.
+// textlabel_script --parameters: print what there is, for a person.
 //
 // label.sh runs it, so that names, types and defaults of the parameters stand in one table for scripts too.
 // Exit 0, or 2 with a message on stderr when an argument is none.
@@ -7,17 +8,32 @@
 #include "filter_script.h"
 
 #include <iostream>
+#include <set>
 
 namespace {
 
-void Apply(const std::string& argument, textlabel::LabelRequest& request)
+using namespace textlabel;
+
+/// @return the parameter's name
+std::string Apply(const std::string& argument, LabelRequest& request)
 {
-	using namespace textlabel;
 	const size_t equals = argument.find('=');
 	const std::string name = argument.substr(0, equals);
 	const Parameter* const parameter = FindParameter(name);
 	if (!parameter || equals == std::string::npos) throw RequestError(RequestProblem::UnknownParameter, name);
 	SetValue(*parameter, request, argument.substr(equals + 1));
+	return name;
+}
+
+/// What is given is meant to be used, as in Python (check_values in python/textlabel/plugin.py).
+void Imply(const std::set<std::string>& given, LabelRequest& request)
+{
+	const auto has = [&given](const char* name) { return given.count(name) > 0; };
+	if (!has("placement")) {
+		if (has("camera")) request.placement = PlacementKind::Camera;
+		else if (has("position") || has("direction")) request.placement = PlacementKind::PointAndDirection;
+	}
+	if (has("color") && !has("tint")) request.tint = true;
 }
 
 }  // namespace
@@ -25,12 +41,18 @@ void Apply(const std::string& argument, textlabel::LabelRequest& request)
 int main(int argc, char** argv)
 {
 	try {
-		textlabel::LabelRequest request;
-		for (int i = 1; i < argc; ++i) Apply(argv[i], request);
-		std::cout << textlabel::ScriptText(request);
+		if (argc == 2 && argv[1] == std::string("--parameters")) {
+			std::cout << ParameterHelp();
+			return std::cout.flush() ? 0 : 1;
+		}
+		LabelRequest request;
+		std::set<std::string> given;
+		for (int i = 1; i < argc; ++i) given.insert(Apply(argv[i], request));
+		Imply(given, request);
+		std::cout << ScriptText(request);
 		return std::cout.flush() ? 0 : 1;
-	} catch (const textlabel::RequestError& error) {
-		std::cerr << textlabel::ErrorText(error) << '\n';
+	} catch (const RequestError& error) {
+		std::cerr << ErrorText(error) << '\n';
 		return 2;
 	}
 }

@@ -42,8 +42,9 @@ const std::vector<Parameter>& ParameterTable()
 	static const std::vector<Parameter> table{
 		{"text", "Text", "The text of the label, in any language. Write \\n to break a line.", &R::text},
 		{"font", "Font",
-	     "A font family (DejaVu Sans:Bold) or a font file (.ttf, .otf, .ttc). Empty: the font inside this "
-	     "filter.",
+	     "A font family (DejaVu Sans:Bold) or a font file (.ttf, .otf, .ttc; font.ttc#1 is its second face). Axes of a "
+	     "variable font follow a colon: Inter:wght=650, font.ttf:wght=650,opsz=32. Empty: DejaVu Sans Bold, which is "
+	     "inside this filter.",
 	     &R::font, Use::FontName},
 		{"size", "Size (capital height, mesh units)",
 	     "Height of a capital letter, in the units of the mesh. -1: chosen so that the text fits.", &R::size},
@@ -116,8 +117,9 @@ const std::vector<Parameter>& ParameterTable()
 	     "Refuse the text when a stroke is thinner than this. 0: not checked.", &R::minStroke, Use::Value, advanced},
 		{"min_gap", "Narrowest gap (mesh units)", "Refuse the text when a gap is narrower than this. 0: not checked.",
 	     &R::minGap, Use::Value, advanced},
-		{"tint", "Colour raised letters", "Colour the faces of an embossed or engraved label too.", &R::tint},
-		{"color", "Colour", "Face colour of a flat label, and of others when Colour raised letters is on.", &R::color},
+		{"tint", "Colour raised and sunk letters", "Colour the faces of an embossed or engraved label too.", &R::tint},
+		{"color", "Colour", "Face colour of a flat label, and of others when Colour raised and sunk letters is on.",
+	     &R::color},
 		{"max_stretch", "Largest stretch",
 	     "A surface that is steep to the view stretches the letters. The label is refused where a length on "
 	     "the surface is more than so many times the length in the label.",

@@ -195,6 +195,31 @@ fi
 works out.stl box.off out.stl 'A43' && cp out.stl first.stl && works out.stl box.off out.stl 'A43' && sound out.stl
 cmp -s first.stl out.stl || fail "two runs differ"
 
+# --set says where as the options do, and relative names of files are meant from here, also with a font's face or axes behind them.
+font=$(fc-match -f '%{file}' 'DejaVu Sans')
+if [ -f "$font" ] && cp "$font" own.ttf && works out.stl --at 30,20,10 --size 8 --font own.ttf box.off out.stl A43; then
+	cp out.stl first.stl
+	mkdir -p files
+	if works out.stl --set position=30,20,10 --set size=8 --set font=own.ttf#0 --set report=files/r.json --set outline=files/o.svg \
+		box.off out.stl A43; then
+		cmp -s first.stl out.stl || fail "--set position is not --at"
+		[ -s files/r.json ] && [ -s files/o.svg ] || fail "files of --set went elsewhere: $(ls files)"
+	fi
+fi
+works out.stl --set placement=automatic --set position=1,2,3 box.off out.stl A43 && grep -q '"placement":"Automatic"' report.json ||
+	fail "a placement that is given counts"
+
+# Colours that few programs find in the file: it says so. What says a colour in --set counts as well.
+works out.stl --style flat box.off out.stl A43 && grep -q 'few programs' said || fail "a flat label in an STL file, and no word about it"
+works out.ply --set style=flat box.off out.ply A43 && [ ! -s said ] && head -c 400 out.ply | grep -qa 'property uchar red' ||
+	fail "--set style=flat: no colours in the PLY file"
+
+# Every parameter is listed.
+"$label" --parameters >parameters || fail "exit $? of label.sh --parameters"
+for name in text style max_stretch outline; do
+	grep -q "^$name  .*default" parameters || fail "--parameters without $name"
+done
+
 # Names and texts are taken as they are.
 mkdir "a \"b\" <&>'c' ä漢"
 odd="a \"b\" <&>'c' ä漢/-p \$x;#.off"
@@ -228,6 +253,9 @@ refused() {
 }
 
 refused 2 'INPUT, OUTPUT and TEXT' box.off out.stl
+refused 2 "'43' is one more" box.off out.stl A 43
+refused 2 "NAME=VALUE, not 'slant'" --set slant box.off out.stl A
+refused 2 "one of Emboss, Engrave, Flat" --set style=raised box.off out.stl A
 refused 2 'no option --sise' --sise 3 box.off out.stl A
 refused 2 'needs a value' box.off out.stl A --size
 refused 2 "'abc' of size" --size abc box.off out.stl A
@@ -242,6 +270,7 @@ refused 1 'cannot read the mesh' nonsense.stl out.stl A
 refused 1 'does not exist' box.off nowhere/out.stl A
 refused 1 'cannot be (written|made)' box.off /proc/out.stl A
 refused 1 'is a folder' box.off "$work" A
+refused 1 'output is empty' box.off '' A
 refused 1 'format' box.off out.xyzzy A
 
 at=(--at 30,20,10 --size 8 --depth 0.5)
@@ -257,7 +286,7 @@ done
 refused 1 'size is 500, larger than the part.*72\.8' --at 30,20,10 --size 500 box.off out.stl A
 refused 1 'depth is 500, larger than the part.*72\.8' --at 30,20,10 --depth 500 box.off out.stl A
 refused 1 'No face looks to the viewer' --at 300,20,10 box.off out.stl A
-refused 1 "letter 'M' .*(silhouette|beside the surface|border) .*\((60|6[0-9.]+|5[0-9.]+), [0-9.]+, 10\)" --at 50,20,10 --size 8 box.off out.stl WIM
+refused 1 "letter 'M' .*(horizon|beside the surface|border) .*\((60|6[0-9.]+|5[0-9.]+), [0-9.]+, 10\)" --at 50,20,10 --size 8 box.off out.stl WIM
 refused 1 "border or a hole.*near \(.*, 10\)" --at 30,10,10 --size 12 hole.off out.stl A43
 refused 1 'not manifold.*near \(.*, 10\)' "${at[@]}" fin.off out.stl A43
 refused 1 'direction is zero' --at 30,20,10 --direction 0,0,0 box.off out.stl A
