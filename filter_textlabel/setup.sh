@@ -128,7 +128,7 @@ download_meshlab() {
 		quietly private_apt "$folder" source --download-only --tar-only meshlab || return 1
 	archive=$(echo meshlab_*.orig.tar.xz)
 	echo "$hash  $archive" | sha256sum --quiet --check - >&2 ||
-		die "$archive is not the one of meshlab $version that this project was made with"
+		die "$archive is not the one of meshlab $version that this project was made with: name another mirror in TEXTLABEL_DEBIAN_MIRROR"
 	mv "$archive" meshlab.tar.xz
 }
 
@@ -142,7 +142,8 @@ fetch_meshlab() {
 		say "fetching the headers of MeshLab $version"
 		work=$(mktemp -d "$cache/$name.XXXXXX")
 		trap 'rm -rf "$work"' EXIT
-		download_meshlab "$work" "$suite" "$version" "$hash" || die "could not fetch meshlab $version from $suite"
+		download_meshlab "$work" "$suite" "$version" "$hash" ||
+			die "could not fetch meshlab $version from $suite: check the network, or name another mirror in TEXTLABEL_DEBIAN_MIRROR"
 		mkdir "$work/tree"
 		tar -xf "$work/meshlab.tar.xz" -C "$work/tree" --strip-components=1 --wildcards \
 			'*/ML_VERSION' '*/LICENSE.txt' '*/src/common' '*/vcglib/vcg' '*/vcglib/wrap'

@@ -20,7 +20,7 @@ while IFS=$'\t' read -r file text style size depth position direction up along c
 	name=${file%.stl} output=$1/${file%.stl}-labelled.stl
 	options=(--style "$style" --size "$size" --at "$position" --direction "$direction" --up "$up" --along "$along")
 	[ "$style" = flat ] || options+=(--depth "$depth")
-	[ "$color" = - ] || { options+=(--color "$color"); output=${output%.stl}.ply; }  # an STL has no colours
+	[ "$color" = - ] || { options+=(--color "$color"); output=${output%.stl}.ply; }  # few programs read the colours of an STL
 	"$here/../filter_textlabel/label.sh" "${options[@]}" --report "$1/$name.json" --picture "$1/$name.png" -- \
 		"$here/$file" "$output" "$text"
 	if [[ $views == *\;* ]]; then  # an open surface has a back

@@ -79,7 +79,7 @@ def _parser():
     many.add_argument("--first", type=int, default=1, metavar="N", help="the first number {n} (default 1)")
     many.add_argument("--text", metavar="TEMPLATE", help="texts (default: column text; with --count {part}-{n:04})")
     many.add_argument(
-        "--name", metavar="TEMPLATE", help="files, without ending (default {part}-{text}; with --count {text})"
+        "--name", metavar="TEMPLATE", help="files, without ending (default {part}-{text}; with --count and no --text {text})"
     )
     many.add_argument("--format", default="", metavar="ENDING", help="stl, ply, obj or off (default: as the part)")
     many.add_argument("--output", required=True, metavar="FOLDER", help="for files and manifest; made when missing")

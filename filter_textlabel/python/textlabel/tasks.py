@@ -69,11 +69,11 @@ def read_table(path, first):
             delimiter = max(",;\t", key=header.count)
             rows = list(csv.reader(file, delimiter=delimiter, strict=True))
     except OSError as error:
-        raise UsageError(f"The table {path} cannot be read: {error.strerror}.") from None
+        raise UsageError(f"The table {path} cannot be read: {error.strerror}. Check its name.") from None
     except UnicodeDecodeError as error:
         raise UsageError(f"The table {path} is not UTF-8 (byte {error.start}). Save it as CSV in UTF-8.") from None
     except csv.Error as error:
-        raise UsageError(f"The table {path} cannot be read: {error}.") from None
+        raise UsageError(f"The table {path} cannot be read: {error}. Save it as CSV anew.") from None
     columns = [name.strip() for name in rows[0]] if rows else []
     if not any(columns) or len(set(columns)) < len(columns):
         raise UsageError(f"The table {path} needs a first line with a different name for each column, as text,part.")
@@ -87,7 +87,10 @@ def read_table(path, first):
 def _cells(columns, cells):
     named = dict(zip(columns, cells))
     if len(cells) != len(columns):
-        named[None] = f"The row has {len(cells)} cells where the header has {len(columns)}."
+        named[None] = (
+            f"The row has {len(cells)} cells where the header has {len(columns)}. "
+            "Mend it; a cell that holds the separator stands in double quotes."
+        )
     return named
 
 

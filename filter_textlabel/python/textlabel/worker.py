@@ -41,7 +41,10 @@ def main():
             answer = bench.make(json.loads(line))
         except Exception as error:
             bench = _Bench()
-            answer = {"reason": f"Something unexpected happened: {error!r}. Other rows are not affected."}
+            answer = {
+                "reason": f"Something unexpected happened: {error!r}. Other rows are not affected; "
+                "try this one alone, by python -m textlabel label."
+            }
         answers.write(json.dumps(answer) + "\n")
         answers.flush()
 
