@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # The table of labels on real parts from all sides, judged by our report, by admesh and by CGAL (view_table_main.cpp).
-# About five minutes; the meshes are those of the folder TEXTLABEL_REAL_MESHES, or else the arguments.
+# About five minutes. The meshes are the arguments, else those of the folder that TEXTLABEL_REAL_MESHES names (real_meshes.tsv says
+# where they come from), else those in ../shared/meshes beside the project.
 #
 # usage: tests/view_table.sh [--log FILE] [--keep FOLDER] [--quick] [MESH...]
 

@@ -12,7 +12,7 @@ if(NOT MESHLAB_SOURCE OR NOT MESHLAB_VCG_DIR)
 		"MESHLAB_SOURCE is '${MESHLAB_SOURCE}': no MeshLab sources with VCGlib there (looked in ${_vcg_places}).\n"
 		"Give the sources of the MeshLab that will load the plugin, for example\n"
 		"  git clone --recurse-submodules -b MeshLab-2025.07 https://github.com/cnr-isti-vclab/meshlab\n"
-		"  cmake -S . -B build -DMESHLAB_SOURCE=meshlab\n"
+		"  cmake -S . -B build/mine -DMESHLAB_SOURCE=meshlab\n"
 		"On Debian, filter_textlabel/build.sh fetches them and builds in one step.")
 endif()
 

@@ -11,7 +11,7 @@
 // (--peer-seconds for each row).
 //
 // Each result is judged in the same way: rounded to float32, equal points merged, then closed, manifold, oriented, no face without
-// area, components and genus as before, and, up to 100,000 triangles, no two faces that cross (CGAL).
+// area, components and genus as before, and, up to 110,000 triangles, no two faces that cross (CGAL).
 // Exit: 0; 1 when a result of ours is not valid; 2 wrong usage; 77 when no peer is there.
 
 #include "bench_part.h"
