@@ -56,6 +56,7 @@ inline CutLabel LabelCutter::cut(const Outline& outline, const std::vector<int>&
 	takeSides(InsideSearch(sheet_, paths_.pieces, out_.touched, cut_.borderPieces, points).run(cut_.regionSide));
 	out_.triangles = std::move(cut_.triangles);
 	cut_ = CutPieces();  // memory that those who go on with the cut can use
+	paths_.forgetChains();
 	out_.points = std::move(paths_.points);
 	out_.pieces = std::move(paths_.pieces);
 	requireArea(outline);

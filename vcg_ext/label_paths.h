@@ -71,6 +71,8 @@ public:
 	/// @param[in] seeds  #contours: a facing sheet triangle that holds the contour's first point
 	/// @throws Error{Border, Silhouette, NonManifold}, PlacementConflict
 	void lay(const Outline& outline, const std::vector<int>& seeds);
+	/// When all is cut: give back the memory of what it was cut along; visited() still knows.
+	void forgetChains();
 	/// The triangles that contours cross or touch, as far as they were laid; also when lay() threw.
 	std::vector<int> visited() const;
 
@@ -108,10 +110,18 @@ inline void LabelPaths::lay(const Outline& outline, const std::vector<int>& seed
 			pieces.push_back({pathPoints[i], pathPoints[(i + 1) % pathPoints.size()], path.pieces[i].halfEdge});
 		collectChains(path, pathPoints);
 	}
+	points.added.shrink_to_fit();  // they stay until the label is made
 	sortEdgePoints();
 	std::sort(chains.begin(), chains.end(), [](const ContourChain& a, const ContourChain& b) {
 		return a.triangle != b.triangle ? a.triangle < b.triangle : a.first < b.first;
 	});
+}
+
+inline void LabelPaths::forgetChains()
+{
+	edgePoints = {};
+	chains = {};
+	chainPoints = {};
 }
 
 inline std::vector<int> LabelPaths::visited() const

@@ -70,7 +70,7 @@ private:
 	void measureFaces();
 
 	struct Measure {
-		double altitude, sine, slope;  ///< least altitude, sine of the least angle, steepness
+		float altitude, sine, slope;  ///< least altitude, sine of the least angle, steepness; a margin covers their rounding
 	};
 
 	const LabelSpace& space_;
@@ -80,7 +80,7 @@ private:
 	bool isSound_ = true;
 	std::vector<vcg::Point3d> ground_, raised_;  ///< #vertices as in PatchFace
 	std::vector<char> isRaised_, isMeshContour_;
-	std::vector<Measure> measure_;  ///< #faces; walls unused
+	std::vector<Measure> measure_;  ///< of the faces that are no walls, in their order
 };
 
 inline PlanarMap::PlanarMap(const LabelSpace& space, const Sheet& sheet, const LabelPatch& patch,
@@ -127,13 +127,14 @@ inline void PlanarMap::measureRise()
 
 inline void PlanarMap::measureFaces()
 {
-	measure_.resize(patch_.faces.size());
+	const auto isNoWall = [](const PatchFace& face) { return face.kind != FaceKind::Wall; };
+	measure_.reserve(size_t(std::count_if(patch_.faces.begin(), patch_.faces.end(), isNoWall)));
 	const auto area = [](const vcg::Point3d& a, const vcg::Point3d& b, const vcg::Point3d& c) {
 		return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
 	};
 	for (size_t f = 0; f < patch_.faces.size() && isSound_; ++f) {
 		const PatchFace& face = patch_.faces[f];
-		if (face.kind == FaceKind::Wall) continue;
+		if (!isNoWall(face)) continue;
 		size_t v[3];
 		for (size_t k = 0; k < 3; ++k) v[k] = size_t(groundOf(face.vertex[k]));
 		const vcg::Point3d &a = ground_[v[0]], &b = ground_[v[1]], &c = ground_[v[2]];
@@ -146,8 +147,8 @@ inline void PlanarMap::measureFaces()
 		const double longest = std::sqrt(side[2]), error = slack_ * longest;
 		isSound_ = twice > error && above > error;
 		const vcg::Point3d n = (own[v[1]] - own[v[0]]) ^ (own[v[2]] - own[v[0]]);
-		measure_[f] = {twice / longest, twice / (longest * std::sqrt(side[1])),
-		               std::max(std::abs(n[0]), std::abs(n[1])) * 2 / std::abs(n[2])};
+		measure_.push_back({float(twice / longest), float(twice / (longest * std::sqrt(side[1]))),
+		                    float(std::max(std::abs(n[0]), std::abs(n[1])) * 2 / std::abs(n[2]))});
 	}
 }
 
@@ -157,13 +158,14 @@ inline std::vector<char> PlanarMap::suspects() const
 	const bool isFlat = patch_.isFlat;
 	const double ratio = isFlat ? 1 : rise_ / lean_, steepest = std::sqrt(ratio) / apart;
 	double slope = 0;
-	for (const Measure& m : measure_) slope = std::max(slope, m.slope);
+	for (const Measure& m : measure_) slope = std::max(slope, double(m.slope));
 	slope = std::min(slope, steepest);
 	std::vector<char> suspect(patch_.faces.size(), 0), loose(isMeshContour_);
 	bool any = std::count(loose.begin(), loose.end(), 1) > 0;
+	auto measure = measure_.begin();
 	for (size_t f = 0; f < suspect.size(); ++f) {
 		if (patch_.faces[f].kind == FaceKind::Wall) continue;
-		const Measure& m = measure_[f];
+		const Measure& m = *measure++;
 		const bool isGood = m.altitude > apart * (isFlat ? slack_ : lean_) &&
 		                    (isFlat || (m.slope <= steepest && m.sine * ratio > sharp * slope));
 		if (isGood) continue;
