@@ -33,16 +33,11 @@ namespace detail {
 
 enum LineSide : std::uint8_t { LeftOfLine = 1, RightOfLine = 2, BelowLine = 4, AboveLine = 8, NotFinite = 16 };
 
-/// Side of a point in a space whose z axis is the line.
+/// Side of a point in a space whose z axis is the line. Without branches: that is not to be predicted.
 inline std::uint8_t SideOfLine(const vcg::Point3d& q)
 {
-	if (!vcg::textlabel::IsFinite(q)) return NotFinite;
-	return std::uint8_t((q[0] < 0   ? LeftOfLine
-	                     : q[0] > 0 ? RightOfLine
-	                                : 0) |
-	                    (q[1] < 0   ? BelowLine
-	                     : q[1] > 0 ? AboveLine
-	                                : 0));
+	return std::uint8_t(LeftOfLine * (q[0] < 0) | RightOfLine * (q[0] > 0) | BelowLine * (q[1] < 0) |
+	                    AboveLine * (q[1] > 0) | NotFinite * !std::isfinite(q[0] + q[1] + q[2]));
 }
 
 /// +1 or -1 when the z axis goes through the triangle, or through its border, and the triangle is counter-clockwise or clockwise
