@@ -4,8 +4,8 @@
 
 namespace {
 
-/// MeshLab notes a filter's parameters before it runs. Where they ask for the view in the window, the note gets the camera that
-/// was found there: a saved script then makes the same label.
+/// MeshLab notes a filter's parameters before it runs. They ask for the view in the window; the note gets the camera that was found
+/// there: a saved script then makes the same label.
 void NoteUsedView(MeshDocument& document, const textlabel::LabelRequest& used)
 {
 	if (!document.filterHistory || document.filterHistory->isEmpty()) return;
@@ -38,10 +38,11 @@ void TextLabelPlugin::initParameterSet(QAction*, MeshModel& model, RichParameter
 bool TextLabelPlugin::applyFilter(QAction*, MeshDocument& document, const RichParameterList& list,
                                   vcg::CallBackPos* progress)
 {
-	const auto outcome =
-		textlabel::ApplyFilter(document, list, progress, [this](const std::string& message) { Log(message); });
+	textlabel::FilterHost host;
+	host.log = [this](const std::string& message) { Log(message); };
+	host.noteUsedView = [&document](const textlabel::LabelRequest& used) { NoteUsedView(document, used); };
+	const auto outcome = textlabel::ApplyFilter(document, list, progress, host);
 	errorMessage = QString::fromStdString(outcome.message);
-	if (outcome.ok) NoteUsedView(document, outcome.report.request);
 	return outcome.ok;
 }
 

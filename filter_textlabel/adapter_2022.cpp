@@ -58,7 +58,7 @@ std::map<std::string, QVariant> TextLabelPlugin::applyFilter(const QAction*, con
                                                              vcg::CallBackPos* progress)
 {
 	const auto outcome =
-		textlabel::ApplyFilter(document, list, progress, [this](const std::string& message) { log(message); });
+		textlabel::ApplyFilter(document, list, progress, {[this](const std::string& message) { log(message); }});
 	if (!outcome.ok) throw MLException(QString::fromStdString(outcome.message));
 	return Outputs(outcome.report);
 }

@@ -15,6 +15,7 @@ constexpr double axisSnap = 1e-4;         // a direction this near to an axis (r
 constexpr double wallReserve = 1.25;      // a sunk label asks for so many times its depth of wall
 constexpr size_t maxPlaces = 8;
 constexpr size_t maxMeasured = 24;
+constexpr size_t maxSharpened = 64;  // a look at all triangles each
 
 /// Two digits are what a person would have typed.
 double RoundedDown(double size)
@@ -160,10 +161,12 @@ bool OfferPlaces(const PlaceQuery& query, const Part& part, const Effort& effort
 {
 	std::vector<Candidate> candidates = FindCandidates(query, part, effort);
 	std::vector<Place> thin;
-	for (size_t measured = 0, offered = 0; !candidates.empty() && measured < maxMeasured && offered < maxPlaces;) {
+	for (size_t sharpened = 0, measured = 0, offered = 0;
+	     !candidates.empty() && sharpened < maxSharpened && measured < maxMeasured && offered < maxPlaces;) {
 		const Candidate candidate = TakeBest(candidates, query, part);
 		if (IsTaken(places, query, part, candidate) || IsTaken(thin, query, part, candidate)) continue;
 		if (!candidate.sharp) {
+			++sharpened;
 			if (const std::optional<Candidate> sharp = Sharpened(query, part, candidate)) candidates.push_back(*sharp);
 			continue;
 		}

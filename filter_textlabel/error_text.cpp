@@ -182,6 +182,8 @@ std::string ErrorText(const RequestError& error)
 	case RequestProblem::UnknownParameter:
 		return "There is no parameter '" + error.parameter +
 		       "'. The filter's help and label.sh --parameters have the names.";
+	case RequestProblem::HasOwnField:
+		return "The parameter " + error.parameter + " has a field of its own. Set it there, not in More options.";
 	case RequestProblem::UnreadableValue:
 		return "The value '" + error.detail + "' of " + error.parameter + " cannot be read. Give " +
 		       TakenText(error.parameter) + ".";

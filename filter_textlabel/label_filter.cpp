@@ -53,6 +53,12 @@ void RequireWritable(const char* parameter, const std::string& path)
 	file.cancelWriting();
 }
 
+void RequirePictureFormat(const std::string& path)
+{
+	if (!path.empty() && PictureFormat(path).empty())
+		throw RequestError(RequestProblem::UnreadableValue, "picture", path);
+}
+
 void WriteText(const char* parameter, const std::string& path, const std::string& text)
 {
 	QSaveFile file(QString::fromStdString(path));
@@ -73,13 +79,14 @@ void DrawPicture(const CMeshO& m, const LabelJob<CMeshO>& job, const LabelReport
 		throw RequestError(RequestProblem::FileNotWritten, "picture", report.request.picture);
 }
 
-LabelReport Label(MeshDocument& document, const RichParameterList& list, vcg::CallBackPos* progress,
-                  ErrorContext& context)
+/// @param[out] report  as soon as the label is made
+void Label(MeshDocument& document, const LabelRequest& request, vcg::CallBackPos* progress, ErrorContext& context,
+           LabelReport& report)
 {
-	const LabelRequest request = ReadParameters(list);
 	if (!document.mm()) throw RequestError(RequestProblem::EmptyPart);
 	MeshModel& model = *document.mm();
 	RequireWritable("report", request.report);
+	RequirePictureFormat(request.picture);
 	RequireWritable("picture", request.picture);
 	RequireWritable("outline", request.outline);
 	ServiceHost host;
@@ -87,11 +94,10 @@ LabelReport Label(MeshDocument& document, const RichParameterList& list, vcg::Ca
 	if (progress) host.progress = [progress](int percent) { return progress(percent, "Text Label\n"); };
 	const LayerData data(model, request.style == LabelStyle::Flat || request.tint, context);
 	LabelJob<CMeshO> job(model.cm, MatrixOf(model.cm), host, context);
-	const LabelReport report = job.run(request);
+	report = job.run(request);
 	if (!request.report.empty()) WriteText("report", request.report, ReportJson(report) + "\n");
 	if (!request.outline.empty()) WriteText("outline", request.outline, OutlineToSvg(job.outline()));
 	if (!request.picture.empty()) DrawPicture(model.cm, job, report);
-	return report;
 }
 
 /// The one place where exceptions become sentences.
@@ -165,20 +171,27 @@ void AddFilterParameters(const MeshModel& model, RichParameterList& list)
 }
 
 FilterOutcome ApplyFilter(MeshDocument& document, const RichParameterList& list, vcg::CallBackPos* progress,
-                          const std::function<void(const std::string&)>& log) noexcept
+                          const FilterHost& host) noexcept
 {
 	FilterOutcome outcome;
-	outcome.message =
-		Guarded([&](ErrorContext& context) { outcome.report = Label(document, list, progress, context); });
-	outcome.ok = outcome.message.empty();
+	bool isFromWindow = false;
+	outcome.message = Guarded([&](ErrorContext& context) {
+		const LabelRequest request = ReadParameters(list);
+		isFromWindow = request.placement == PlacementKind::CurrentView;
+		Label(document, request, progress, context, outcome.report);
+	});
+	const bool isReported = !outcome.report.milliseconds.empty();
+	outcome.ok = outcome.message.empty() || (isReported && HasWindow());
 	Guarded([&](ErrorContext&) {
-		if (!outcome.ok) return Say(outcome.message, log);
-		Say(ReportJson(outcome.report), log);
+		if (!outcome.message.empty()) Say(outcome.message, host.log);
+		if (!outcome.ok) return;
+		Say(ReportJson(outcome.report), host.log);
 #if MESHLAB_API == 2020
-		log(Shown(ScriptText(outcome.report.request)));
+		host.log(Shown(ScriptText(outcome.report.request)));
 #else
-		log(Shown(PythonCall(outcome.report.request)));
+		host.log(Shown(PythonCall(outcome.report.request)));
 #endif
+		if (isFromWindow && host.noteUsedView) host.noteUsedView(outcome.report.request);
 	});
 	if (!outcome.ok) Guarded([&](ErrorContext&) { outcome.message = Shown(outcome.message); });
 	return outcome;

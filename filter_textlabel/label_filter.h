@@ -22,16 +22,24 @@ int FilterPostCondition();
 /// @param[in] model  only looked at when there is a window
 void AddFilterParameters(const MeshModel& model, RichParameterList& list);
 
+/// What a host offers.
+struct FilterHost {
+	std::function<void(const std::string&)> log;  ///< takes one message
+	std::function<void(const LabelRequest& used)>
+		noteUsedView{};  ///< may be null: the view in the window that was used
+};
+
 struct FilterOutcome {
 	bool ok = false;
 	std::string message;  ///< why not: what, where, remedy
 	LabelReport report;   ///< when ok
 };
 
-/// Label the current layer. Every exception ends here: one that left a filter would end MeshLab.
-/// @param[in] log  takes one message; the report, and a refusal, go there and to stderr
-/// @post not ok: the layer is as it was; or wholly labelled, when only a file could not be written, which the message says
+/// Label the current layer. Every exception ends here: one that left a filter would end MeshLab. The report, and a refusal, go to
+/// the log and to stderr.
+/// @post not ok: the layer is as it was. Only where a file could not be written, which the message says, it is wholly labelled; and
+///       in a window, which must show that, this is ok
 FilterOutcome ApplyFilter(MeshDocument& document, const RichParameterList& list, vcg::CallBackPos* progress,
-                          const std::function<void(const std::string&)>& log) noexcept;
+                          const FilterHost& host) noexcept;
 
 }  // namespace textlabel

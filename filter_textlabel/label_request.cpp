@@ -230,7 +230,7 @@ std::string ParameterHelp()
 
 std::string MoreHelp()
 {
-	std::string help = "Written as name=value; name=value. There are:";
+	std::string help = "Written as name=value; name=value, with \\; for a semicolon within a value. There are:";
 	for (const Parameter& p : ParameterTable())
 		if (p.advanced) help += std::string(" <b>") + p.name + "</b>: " + p.help;
 	return help;
@@ -258,8 +258,8 @@ void SetMore(LabelRequest& request, const std::string& text)
 		const size_t equals = item.find('=');
 		const std::string name = Trimmed(item.substr(0, equals));
 		const Parameter* const parameter = FindParameter(name);
-		if (!parameter || !parameter->advanced || equals == std::string::npos)
-			throw RequestError(RequestProblem::UnknownParameter, name);
+		if (!parameter || equals == std::string::npos) throw RequestError(RequestProblem::UnknownParameter, name);
+		if (!parameter->advanced) throw RequestError(RequestProblem::HasOwnField, name);
 		SetValue(*parameter, request, Trimmed(item.substr(equals + 1)));
 	}
 }

@@ -141,7 +141,7 @@ std::string MoreHelp();
 std::string MoreText(const LabelRequest& request);
 
 /// Set advanced parameters from such a text.
-/// @throws RequestError{UnknownParameter, UnreadableValue}
+/// @throws RequestError{UnknownParameter, HasOwnField, UnreadableValue}
 void SetMore(LabelRequest& request, const std::string& text);
 
 /// How the text is to be set at a capital height.

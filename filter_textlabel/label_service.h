@@ -42,7 +42,7 @@ public:
 private:
 	PartProbe probe() const;
 	Camera viewFor(LabelRequest& request) const;
-	void label(const LabelRequest& request, const std::vector<Attempt>& attempts, TextSetter& text);
+	void label(LabelRequest& request, StageClock& clock);
 	void tryAttempt(const LabelRequest& request, const Attempt& attempt, const TextOutline& outline);
 	void labelAtDepth(const LabelRequest& request, const TextOutline& outline, double depth);
 	void finish(const LabelRequest& request, bool anySelected);
@@ -104,12 +104,7 @@ LabelReport LabelJob<MeshType>::run(const LabelRequest& asked)
 	before.volume = faces.volume;
 	if (counts) CountTopology(m_, before);
 	clock.end("measure");
-	TextSetter text(request);
-	const std::vector<Attempt> attempts = PlanAttempts(request, viewFor(request), probe(), text);
-	clock.end("place");
-	label(request, attempts, text);
-	context_.isMade = true;
-	clock.end("label");
+	label(request, clock);
 	finish(request, faces.anySelected);
 	clock.end("finish");
 	LabelReport made = report(request);
@@ -136,26 +131,41 @@ void LabelJob<MeshType>::countAgain(MeshNumbers& before, MeshNumbers& after) con
 
 /// The first attempt that the library takes; when it takes none, the error of the first one.
 template <class MeshType>
-void LabelJob<MeshType>::label(const LabelRequest& request, const std::vector<Attempt>& attempts, TextSetter& text)
+void LabelJob<MeshType>::label(LabelRequest& request, StageClock& clock)
 {
-	std::optional<vcg::textlabel::Error> first;
+	const Camera view = viewFor(request);
+	TextSetter text(request);
+	std::exception_ptr first;
 	ErrorContext firstContext;
-	for (const Attempt& attempt : attempts) {
+	const auto keepFirst = [&] {
+		if (first) return;
+		first = std::current_exception();
+		firstContext = context_;
+	};
+	const auto refuse = [&] {
+		context_ = firstContext;
+		std::rethrow_exception(first);
+	};
+	const auto accept = [&](const Attempt& attempt) {
+		clock.end("place");
 		try {
 			outline_ = text.at(attempt.size);
-			return tryAttempt(request, attempt, outline_);
-		} catch (const TextError&) {
-			if (!first) throw;
-			break;  // a smaller size, too small for the text: not what was wrong
-		} catch (const vcg::textlabel::Error& error) {
+			tryAttempt(request, attempt, outline_);
+			context_.isMade = true;
+		} catch (vcg::textlabel::Error& error) {
+			if (error.hasPlace) error.place = toWorld_ * error.place;  // where a person sees it
 			if (!DependsOnPlace(error.code)) throw;
-			if (first) continue;
-			first = error;
-			firstContext = context_;
+			keepFirst();
+		} catch (const TextError& error) {
+			const bool isTooLarge = error.code == TextErrorCode::BadArc;
+			if (!isTooLarge && first) refuse();  // too small for the text, which was not what was wrong
+			if (!isTooLarge) throw;
+			keepFirst();
 		}
-	}
-	context_ = firstContext;
-	throw *first;
+		clock.end("label");
+		return context_.isMade;
+	};
+	if (!OfferAttempts(request, view, probe(), text, accept)) refuse();
 }
 
 /// A depth that is left to us is a share of the size, less where the part is thin.

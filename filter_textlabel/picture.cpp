@@ -3,7 +3,10 @@
 #include "picture.h"
 #include "picture_painter.h"
 
+#include <QFileInfo>
 #include <QImage>
+#include <QImageWriter>
+#include <QSaveFile>
 #include <QString>
 
 #include <stdexcept>
@@ -196,7 +199,14 @@ Picture RenderLabelPicture(const PictureMesh& mesh, const Point3d& direction, co
 bool WritePicture(const Picture& picture, const std::string& path)
 {
 	const QImage image(picture.rgb.data(), picture.width, picture.height, 3 * picture.width, QImage::Format_RGB888);
-	return image.save(QString::fromStdString(path));
+	QSaveFile file(QString::fromStdString(path));
+	return file.open(QIODevice::WriteOnly) && image.save(&file, PictureFormat(path).c_str()) && file.commit();
+}
+
+std::string PictureFormat(const std::string& path)
+{
+	const QByteArray ending = QFileInfo(QString::fromStdString(path)).suffix().toLower().toLatin1();
+	return QImageWriter::supportedImageFormats().contains(ending) ? ending.toStdString() : std::string();
 }
 
 }  // namespace textlabel

@@ -3,7 +3,7 @@
 //
 // A small software renderer for `--picture` and for the README: depth buffer with supersampling, normals smoothed up to a crease
 // angle, a key light that casts shadows, fill light, ambient occlusion and drawn crease lines. The same input gives the same
-// bytes on every run. Only WritePicture knows Qt (QImage, which needs no application object).
+// bytes on every run. Only writing knows Qt (QImage, which needs no application object).
 
 #include <array>
 #include <cstdint>
@@ -75,8 +75,11 @@ PictureView FitView(const PictureMesh& mesh, const vcg::Point3d& direction, cons
 Picture RenderLabelPicture(const PictureMesh& mesh, const vcg::Point3d& direction, const vcg::Point3d& up,
                            const PictureOptions& options = {});
 
-/// Write a PNG (or what the file name's ending says, as far as Qt knows it).
+/// Write a PNG (or what the file name's ending says, as far as Qt knows it). The file appears as a whole or not at all.
 /// @return false when the file cannot be written
 bool WritePicture(const Picture& picture, const std::string& path);
+
+/// The format that a file name's ending says, or "" when that is none.
+std::string PictureFormat(const std::string& path);
 
 }  // namespace textlabel

@@ -3,9 +3,9 @@
 
 #include "picture_raster.h"
 #include "picture_surface.h"
+#include "vcg_ext/parallel_chunks.h"
 
 #include <cmath>
-#include <functional>
 #include <thread>
 
 namespace textlabel::detail {
@@ -37,15 +37,13 @@ inline std::vector<std::array<double, 2>> SpreadDirections(int count)
 }
 
 /// Rows are independent of each other, so the pixels do not depend on the number of threads.
-inline void ForEachRow(int rows, const std::function<void(int)>& draw)
+template <class Draw>
+void ForEachRow(int rows, const Draw& draw)
 {
-	const int workers = std::max(1, std::min(8, int(std::thread::hardware_concurrency())));
-	std::vector<std::thread> threads;
-	for (int w = 0; w < workers; w++)
-		threads.emplace_back([&, w] {
-			for (int row = w; row < rows; row += workers) draw(row);
-		});
-	for (std::thread& t : threads) t.join();
+	const size_t chunks = std::clamp<size_t>(std::thread::hardware_concurrency(), 1, vcg::textlabel::kMostChunks);
+	vcg::textlabel::EachChunk(size_t(rows), chunks, [&](size_t, size_t first, size_t last) {
+		for (size_t row = first; row < last; ++row) draw(int(row));
+	});
 }
 
 /// A part of the picture that shows one view.

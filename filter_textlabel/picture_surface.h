@@ -5,6 +5,7 @@
 // faces are first gathered into flat patches and each patch weighs with its whole area: flats stay flat, fillets run into them.
 
 #include "picture.h"
+#include "vcg_ext/vertex_point.h"
 
 #include <algorithm>
 #include <cmath>
@@ -44,8 +45,10 @@ inline std::vector<int> MergeEqualPoints(const std::vector<vcg::Point3d>& points
 {
 	std::vector<int> order(points.size()), merged(points.size());
 	std::iota(order.begin(), order.end(), 0);
-	const auto less = [&](int a, int b) {
+	const auto less = [&](int a, int b) {  // those that are not finite, which have no order, first
 		const vcg::Point3d &p = points[size_t(a)], &q = points[size_t(b)];
+		const bool isP = vcg::textlabel::IsFinite(p), isQ = vcg::textlabel::IsFinite(q);
+		if (!isP || !isQ) return isP != isQ ? isQ : a < b;
 		return std::tie(p[0], p[1], p[2], a) < std::tie(q[0], q[1], q[2], b);
 	};
 	std::sort(order.begin(), order.end(), less);

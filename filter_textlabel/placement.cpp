@@ -153,16 +153,18 @@ std::vector<double> SizesToTry(const TextExtent& extent, const LabelFrame& frame
 	return sizes;
 }
 
-std::vector<Attempt> AttemptsAtPlace(const LabelRequest& request, double size, const Camera& camera,
-                                     const PartProbe& part, TextSetter& text)
+using Accept = std::function<bool(const Attempt&)>;
+
+bool OfferAtPlace(const LabelRequest& request, double size, const Camera& camera, const PartProbe& part,
+                  TextSetter& text, const Accept& accept)
 {
 	LabelFrame frame = request.placement == PlacementKind::PointAndDirection ? PlaceAtPoint(request, part)
 	                                                                         : PlaceInView(request, camera, part);
 	Rotate(frame, request.rotation);
-	if (size != ChosenToFit) return {{frame, size, 0}};
-	std::vector<Attempt> attempts;
-	for (const double s : SizesToTry(ExtentOf(request, size, text), frame, part.box)) attempts.push_back({frame, s, 0});
-	return attempts;
+	if (size != ChosenToFit) return accept({frame, size, 0});
+	const std::vector<double> sizes = SizesToTry(ExtentOf(request, size, text), frame, part.box);
+	if (sizes.empty()) throw RequestError(RequestProblem::NoPlace, "size").measured(size);
+	return std::any_of(sizes.begin(), sizes.end(), [&](double s) { return accept({frame, s, 0}); });
 }
 
 /// Width and height of the box around the turned text.
@@ -174,7 +176,19 @@ vcg::Point2d TurnedExtent(const TextExtent& extent, double degrees)
 	return {extent.width() * c + extent.height() * s, extent.width() * s + extent.height() * c};
 }
 
-std::vector<Attempt> AttemptsAnywhere(const LabelRequest& request, double size, const PartProbe& part, TextSetter& text)
+/// The extent at a size that was chosen: on an arc it is no multiple of that at another size.
+TextExtent ExtentOnceChosen(const LabelRequest& request, const TextExtent& guess, double size, TextSetter& text)
+{
+	if (request.arcRadius == 0) return guess;
+	try {
+		return ExtentOf(request, size, text);
+	} catch (const TextError&) {
+		return guess;  // who tries this size will say it
+	}
+}
+
+bool OfferAnywhere(const LabelRequest& request, double size, const PartProbe& part, TextSetter& text,
+                   const Accept& accept)
 {
 	const TextExtent extent = ExtentOf(request, size, text);
 	const vcg::Point2d turned = TurnedExtent(extent, request.rotation);
@@ -186,17 +200,19 @@ std::vector<Attempt> AttemptsAnywhere(const LabelRequest& request, double size, 
 	query.up = request.up;
 	if (request.depth != ChosenToFit && request.style != LabelStyle::Flat)
 		query.depth = request.style == LabelStyle::Engrave ? -request.depth : request.depth;
-	std::vector<Attempt> attempts;
-	for (const Place& place : FindPlaces(query)) {
+	bool isAny = false;
+	const bool isAccepted = OfferPlaces(query, [&](const Place& place) {
 		LabelFrame frame = vcg::textlabel::FrameFromDirection(place.position, place.direction, place.up);
 		frame.origin += OffsetOf(request, frame);
 		Rotate(frame, request.rotation);
-		const vcg::Point2d center = (extent.low + extent.high) * (place.size / 2);
+		const TextExtent chosen = ExtentOnceChosen(request, extent, place.size, text);
+		const vcg::Point2d center = (chosen.low + chosen.high) * (place.size / 2);
 		frame.origin -= frame.u * center[0] + frame.v * center[1];
-		attempts.push_back({frame, place.size, place.wall});
-	}
-	if (attempts.empty()) throw RequestError(RequestProblem::NoPlace, "size").measured(size);
-	return attempts;
+		isAny = true;
+		return accept({frame, place.size, place.wall});
+	});
+	if (!isAny) throw RequestError(RequestProblem::NoPlace, "size").measured(size);
+	return isAccepted;
 }
 
 /// The camera of a request without XML: viewpoint `position`, looking against `direction`.
@@ -227,12 +243,12 @@ Camera RequestedCamera(const LabelRequest& request)
 	return request.camera.empty() ? CameraFromNumbers(request) : ReadCamera(request.camera);
 }
 
-std::vector<Attempt> PlanAttempts(const LabelRequest& request, const Camera& camera, const PartProbe& part,
-                                  TextSetter& text)
+bool OfferAttempts(const LabelRequest& request, const Camera& camera, const PartProbe& part, TextSetter& text,
+                   const std::function<bool(const Attempt&)>& accept)
 {
 	const double size = WantedSize(request);
-	return request.placement == PlacementKind::Automatic ? AttemptsAnywhere(request, size, part, text)
-	                                                     : AttemptsAtPlace(request, size, camera, part, text);
+	return request.placement == PlacementKind::Automatic ? OfferAnywhere(request, size, part, text, accept)
+	                                                     : OfferAtPlace(request, size, camera, part, text, accept);
 }
 
 }  // namespace textlabel

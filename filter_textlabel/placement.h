@@ -1,8 +1,8 @@
 #pragma once
 // Where the label goes: from a request and a part to frames for the library.
 //
-// A placement gives a list of attempts, best first. A view and a point give one frame; when the size is left to us, it is tried
-// from large to small. Automatic placement gives one attempt for each place found.
+// A placement offers attempts, best first, until one is accepted. A view and a point give one frame; when the size is left to us, it
+// is tried from large to small. Automatic placement offers one attempt for each place that it finds, and looks no further than needed.
 
 #include "auto_placement.h"
 #include "camera_xml.h"
@@ -52,11 +52,14 @@ private:
 /// @throws RequestError{Camera..., DirectionZero, UpAlongDirection}
 Camera RequestedCamera(const LabelRequest& request);
 
-/// Where, and how large, to put the label.
+/// Offer places and sizes for the label.
 /// @param[in] camera  the view, for Current view and Camera
+/// @param[in] accept  tries one; true ends the search
+/// @return false when none was accepted, of one at least
+/// @throws what accept throws
 /// @throws RequestError{DirectionZero, UpAlongDirection, ViewMissesPart, ViewFromInside, PointMissesPart, HiddenPlace, NoPlace}
 /// @throws TextError
-std::vector<Attempt> PlanAttempts(const LabelRequest& request, const Camera& camera, const PartProbe& part,
-                                  TextSetter& text);
+bool OfferAttempts(const LabelRequest& request, const Camera& camera, const PartProbe& part, TextSetter& text,
+                   const std::function<bool(const Attempt&)>& accept);
 
 }  // namespace textlabel

@@ -8,6 +8,7 @@ namespace textlabel {
 
 enum class RequestProblem {
 	UnknownParameter,       ///< parameter: the name
+	HasOwnField,            ///< parameter: the name of one that is not for More options
 	UnreadableValue,        ///< detail: the text
 	NotANumber,             ///< NaN or infinite
 	NeitherPositiveNorFit,  ///< value; -1 would be "chosen to fit"

@@ -3,20 +3,24 @@
 
 #include <array>
 #include <chrono>
+#include <cstring>
 #include <utility>
 #include <vector>
 
 namespace textlabel {
 
-/// Wall-clock times of stages that follow one another. To end one needs no memory and can't fail.
+/// Wall-clock times of stages that follow one another, also by turns. To end one needs no memory and can't fail.
 class StageClock {
 public:
-	/// End the stage that runs; its time goes to `name`. What ends after the last that there is room for goes to that one.
+	/// End the stage that runs; its time is added to `name`.
+	/// @pre no more names than there is room for
 	void end(const char* name)
 	{
 		const auto now = Clock::now();
-		if (count_ < stages_.size()) stages_[count_++].first = name;
-		stages_[count_ - 1].second += milliseconds(now - last_);
+		size_t i = 0;
+		while (i < count_ && std::strcmp(stages_[i].first, name) != 0) ++i;
+		if (i == count_) stages_[count_++] = {name, 0};
+		stages_[i].second += milliseconds(now - last_);
 		last_ = now;
 	}
 	/// The stages in order, then "total".

@@ -162,6 +162,39 @@ TEST(Service, TheFirstRefusalIsTold)
 	EXPECT_THROW(RunOn(m, request), vcg::textlabel::Error);
 }
 
+TEST(Service, AChosenSizeGoesDownUntilTheTextFitsOnItsArc)
+{
+	Mesh m;
+	MakePlate(m, 5);
+	LabelRequest request = OnTop(ChosenToFit, 1);
+	request.text = "A43";
+	request.arcRadius = -2;  // the first size that is tried, of the plate's diagonal, is larger
+	const LabelReport report = RunOn(m, request).report;
+	EXPECT_GT(report.size, 0);
+	EXPECT_LT(report.size, 2);
+}
+
+TEST(Service, APlaceIsToldAsItIsSeen)
+{
+	Mesh m;
+	MakePlate(m, 5);
+	vcg::Matrix44d far;
+	far.SetTranslate(100, 200, 300);
+	ErrorContext context;
+	LabelRequest request = OnTop(8, 1);
+	request.position = {159, 220, 305};  // over the edge
+	const ServiceHost host;
+	LabelJob<Mesh> job(m, far, host, context);
+	try {
+		job.run(request);
+		ADD_FAILURE() << "no error";
+	} catch (const vcg::textlabel::Error& error) {
+		ASSERT_TRUE(error.hasPlace);
+		EXPECT_LE((error.place - Point3d(160, 220, 305)).Norm(), 12);
+		EXPECT_FALSE(context.isMade);
+	}
+}
+
 TEST(Service, ColoursWhatIsAskedFor)
 {
 	for (const auto& [style, tint, colors] : {std::tuple{LabelStyle::Flat, false, true},

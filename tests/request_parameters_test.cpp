@@ -196,8 +196,9 @@ TEST(MoreOptions, NameWhatIsNotAtItsDefault)
 	LabelRequest again;
 	SetMore(again, MoreText(request));
 	ExpectEqual(again, request);
-	for (const char* text : {"slant", "nothing=1", "size=3", "=1"})
+	for (const char* text : {"slant", "nothing=1", "=1"})
 		EXPECT_EQ(ProblemOf([&] { SetMore(request, text); }), RequestProblem::UnknownParameter) << text;
+	EXPECT_EQ(ProblemOf([&] { SetMore(request, "size=3"); }), RequestProblem::HasOwnField);
 	EXPECT_EQ(ProblemOf([&] { SetMore(request, "slant=steep"); }), RequestProblem::UnreadableValue);
 }
 
