@@ -158,6 +158,9 @@ std::string ErrorText(const Error& error, const ErrorContext& context)
 		       "). Give a finite position, a direction that is not zero, an up "
 		       "that is not parallel to it, and a camera outside the part.";
 	case ErrorCode::BadHeight:
+		if (error.value > 0 && error.value <= error.limit)
+			return "The depth " + Figure(error.value) + " is finer than the coordinates of the mesh can carry here (" +
+			       Figure(error.limit) + "). Use a larger depth, or move the part nearer to the origin.";
 		return "The depth " + Figure(context.depth) + " is not possible here" + Room(error) +
 		       ". Give a finite depth smaller than the part.";
 	case ErrorCode::EmptyMesh:

@@ -185,6 +185,13 @@ TEST(LabelSpace, ScaleBoundsTheLongestStretch)
 		EXPECT_LE((space.toLabel(a) - space.toLabel(b)).Norm(), space.scale() * (a - b).Norm());
 	}
 	EXPECT_LE(space.scale(), 2 * std::sqrt(3.0) * 1.01) << "no more than the Frobenius norm";
+	LabelFrame long1;  // of determinant 1, but no rigid layer
+	long1.toWorld.ElementAt(0, 0) = 64;
+	long1.toWorld.ElementAt(1, 1) = 1.0 / 64;
+	EXPECT_GE(LabelSpace(long1).scale(), 64);
+	LabelFrame mirrored;
+	mirrored.toWorld.ElementAt(0, 0) = -1;
+	EXPECT_EQ(LabelSpace(mirrored).scale(), 1);
 }
 
 TEST(LabelSpace, RefusesWhatIsNoFrame)

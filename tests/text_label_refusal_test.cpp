@@ -246,6 +246,20 @@ TEST(Refusal, OverTheEdgeOfABox)
 	ExpectPlace(e, {15, 2, 0}, 2);
 }
 
+// Where a contour leaves a long edge, from either of its sides.
+TEST(Refusal, SaysWhereAlongAnEdge)
+{
+	const Shape cube = test_mesh::Box(100, 100, 100);
+	Shape turned = cube;
+	std::reverse(turned.faces.begin(), turned.faces.end());
+	for (const Shape* shape : {&cube, static_cast<const Shape*>(&turned)})
+		for (const double y : {-40.0, 30.0}) {
+			const Error e = Refused(*shape, Letters({Rectangle(37, y - 1, 53, y + 1)}));
+			EXPECT_CODE(e, Silhouette);
+			ExpectPlace(e, {50, y, 0}, 1.5);
+		}
+}
+
 TEST(Refusal, OverTheHorizonOfABall)
 {
 	const Shape ball = test_mesh::Sphere(12, 60, 40);
@@ -329,6 +343,28 @@ TEST(Refusal, RampThatRisesBehindTheCamera)
 	EXPECT_CODE(Refused(ramp, Letters({Rectangle(-1, -1, 1, 1)}), FromAbovePerspective(20)), BehindCamera);
 }
 
+// The same in strips: the letter starts on one that is seen whole, and runs to one that is not.
+TEST(Refusal, StripsThatRiseBehindTheCamera)
+{
+	const Shape top =
+		test_mesh::Sheet(10, 1, [](int i, int j) { return Point3d(10 * i - 50, 100 * j - 50, 6.0 * i - 30); });
+	const Shape ramp = test_mesh::Thickened(top, 10, 1, {0, 0, -40});
+	EXPECT_CODE(Refused(ramp, Letters({Rectangle(-1, -1, 400, 1)}), FromAbovePerspective(20), 0.1), BehindCamera);
+}
+
+// A vertex under the letter belongs to a triangle that reaches behind the camera too: it would be dragged along.
+TEST(Refusal, AFinThatReachesBehindTheCamera)
+{
+	Shape fin = Plate();
+	const auto under = std::find_if(fin.points.begin(), fin.points.end(),
+	                                [](const Point3d& p) { return (p - Point3d(1, 0, 0)).Norm() < 1e-9; });
+	ASSERT_NE(under, fin.points.end());
+	const int foot = int(under - fin.points.begin()), a = fin.add({1, 0.5, 30}), b = fin.add({1, -0.5, 30});
+	fin.faces.push_back({foot, a, b});
+	const Error e = Refused(fin, Letters({Rectangle(-1.5, -1.5, 1.5, 1.5)}), FromAbovePerspective(20), -0.5);
+	EXPECT_CODE(e, NonManifold);
+}
+
 TEST(Refusal, SteepPlane)
 {
 	const Shape steep =
@@ -396,6 +432,47 @@ TEST(Refusal, IntoTheCeiling)
 	options.along = ExtrudeAlong::SurfaceNormal;
 	LabelMesh(m, letter, slanted, options);
 	ExpectSameKind(before, m);
+}
+
+// A box is sunk into a slab, neither knows of the other. Letters stand on the slab and on the box; the one on the box, sunk deeper
+// than the slab's top, would cross it.
+TEST(Refusal, OverTwoShells)
+{
+	const Shape slab = test_mesh::Slab(30, 20, 4, 60, 40),
+				box = test_mesh::Slab(4, 6, 2, 8, 12).moved([](const Point3d&p) { return p + Point3d(5, 0, 1); });
+	const Outline letters = Letters({Rectangle(-1.75, -1.75, 1.75, 1.75), Rectangle(4.25, -1.75, 5.75, 1.75),
+	                                 Rectangle(-7.75, -4.75, -3.25, 4.75), Rectangle(8.25, -4.75, 9.75, 4.75)});
+	for (const auto& both : {slab.joined(box), box.joined(slab)}) {
+		const Error e = Refused(both, letters, {}, -1.5);
+		EXPECT_CODE(e, HitsSurface);
+		EXPECT_NEAR(e.limit, 1, 0.01);
+	}
+}
+
+// At 1e6 float32 goes in steps of 1/16: a contour beside an edge of the grid is laid on it, and that edge has two faces.
+TEST(Refusal, NotWhereCoarseCoordinatesMoveAContourToAnEdge)
+{
+	const Shape far =
+		test_mesh::Slab(120, 60, 8, 120, 60).moved([](const Point3d& p) { return p + Point3d(1e6, 1e6, 0); });
+	LabelFrame frame;
+	frame.origin = {1e6, 1e6, 0};
+	for (const double beside : {0.12, 0.15, 0.2, 0.24}) {
+		FloatMesh m;
+		test_mesh::Fill(m, far);
+		LabelOptions options;
+		options.height = 2;
+		const Outline letter = Letters({Rectangle(-30 + beside, -10.4, 30 - beside, 10.4)});
+		EXPECT_NO_THROW(LabelMesh(m, letter, frame, options)) << beside;
+	}
+}
+
+TEST(Refusal, ADepthFinerThanTheCoordinates)
+{
+	const Error e = Refused(Plate().moved([](const Point3d& p) { return p + Point3d(0, 0, 100); }), ThreeLetters(),
+	                        FrameFromDirection({0, 0, 100}, {0, 0, 1}, {0, 1, 0}), 1e-6);
+	EXPECT_CODE(e, BadHeight);
+	EXPECT_EQ(e.value, 1e-6);
+	EXPECT_GT(e.limit, 1e-6);
 }
 
 // Towards C only so far as C is away: from the vertices of the plate under the letter that is 10.05 and more.

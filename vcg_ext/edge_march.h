@@ -7,8 +7,8 @@
 // Exact coincidences. A contour point that comes within `snap` of a vertex or an edge *is* on it, and a contour that passes a
 // vertex within `snap` goes through that vertex. The rule is applied along the way and the march goes on from the point where it
 // really is, so what follows is decided (by sign, exactly) about the path that is built and not about the one that was wished for.
-// `snap` is a few units in the last place of the output's coordinates and 1e8 times the rounding of the arithmetic in doubles: no
-// decision hangs on a rounding error. No vertex of the mesh moves; a contour moves by `snap` at most for each vertex it meets.
+// `snap` is a few units in the last place of the output's coordinates: of float32, 1e8 times the rounding of the arithmetic in
+// doubles. No decision hangs on a rounding error. No vertex of the mesh moves; a contour moves by `snap` at most for each vertex it meets.
 
 #include "sheet.h"
 
@@ -155,15 +155,14 @@ inline PathNode EdgeMarch::crossing(int h, const vcg::Point2d& from, const vcg::
 
 inline void EdgeMarch::leave(int h, const PathNode& node) const
 {
-	const int twin = sheet_.twin[size_t(h)];
-	const ErrorCode code = twin == BorderEdge        ? ErrorCode::Border
-	                       : twin == NonManifoldEdge ? ErrorCode::NonManifold
-	                                                 : ErrorCode::Silhouette;
-	const vcg::Point3d &a = sheet_.vertices[size_t(sheet_.from(h))].mesh,
-					   &b = sheet_.vertices[size_t(sheet_.to(h))].mesh;
+	const int edge = sheet_.canonical(h);  // along which the node counts
+	const vcg::Point3d &a = sheet_.vertices[size_t(sheet_.from(edge))].mesh,
+					   &b = sheet_.vertices[size_t(sheet_.to(edge))].mesh;
 	const vcg::Point3d place =
 		node.kind == PathNode::OnVertex ? sheet_.vertices[size_t(node.where)].mesh : a + (b - a) * node.along;
-	throw Error(code, "the contour leaves the sheet").atFace(sheet_.triangles[size_t(h / 3)].face).atPlace(place);
+	throw Error(CodeOfEdge(sheet_.twin[size_t(h)]), "the contour leaves the sheet")
+		.atFace(sheet_.triangles[size_t(h / 3)].face)
+		.atPlace(place);
 }
 
 inline bool EdgeMarch::step(const PathNode& node, const vcg::Point2d& target, PathNode& next) const

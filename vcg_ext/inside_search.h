@@ -141,13 +141,9 @@ inline void InsideSearch::cross(const BorderPiece& piece)
 
 inline void InsideSearch::throwOffSheet(int halfEdge) const
 {
-	const int twin = sheet_.twin[size_t(halfEdge)];
-	const ErrorCode code = twin == BorderEdge        ? ErrorCode::Border
-	                       : twin == NonManifoldEdge ? ErrorCode::NonManifold
-	                                                 : ErrorCode::Silhouette;
 	const vcg::Point3d &a = sheet_.vertices[size_t(sheet_.from(halfEdge))].mesh,
 					   &b = sheet_.vertices[size_t(sheet_.to(halfEdge))].mesh;
-	throw Error(code, "the inside of a letter leaves the sheet")
+	throw Error(CodeOfEdge(sheet_.twin[size_t(halfEdge)]), "the inside of a letter leaves the sheet")
 		.atFace(sheet_.triangles[size_t(halfEdge / 3)].face)
 		.atPlace((a + b) / 2);
 }

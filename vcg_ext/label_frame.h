@@ -134,7 +134,8 @@ inline LabelSpace::LabelSpace(const LabelFrame& f) : perspective_(f.perspective)
 	scale_ = std::sqrt(column[0].SquaredNorm() + column[1].SquaredNorm() + column[2].SquaredNorm());
 	if (!(std::abs(det) > std::numeric_limits<double>::epsilon() * scale_ * scale_ * scale_))
 		bad("the layer's matrix is singular");
-	if (det == 1) scale_ = 1;  // a rigid layer; elsewhere the bound of the Frobenius norm is enough
+	// a rigid layer: of all matrices of determinant 1 it has the least Frobenius norm; elsewhere that bound is enough
+	if (std::abs(det) == 1 && scale_ * scale_ <= 3 * (1 + orthonormality)) scale_ = 1;
 	mirrors_ = det < 0;
 	const vcg::Point3d inverseRow[3] = {(column[1] ^ column[2]) / det, (column[2] ^ column[0]) / det,
 	                                    (column[0] ^ column[1]) / det};

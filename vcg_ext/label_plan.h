@@ -60,12 +60,19 @@ public:
 	/// @param[in,out] sheet  caps under the letters may be flipped away (cut_repair.h)
 	LabelPlanner(const LabelSpace& space, Sheet& sheet, Precision precision, const LabelOptions& options);
 
+	/// World units: the most that a point of a contour may be moved on these candidates.
+	static double worstResolution(const LabelSpace& space, const Sheet& sheet, Precision precision)
+	{
+		return ((1 + apartSnaps) * snapUlps + shiftUlps * (mostAttempts - 1)) * precision.ulp(sheet.largestCoordinate) *
+		       space.scale();
+	}
 	/// World units: the least width of stroke that the coordinates carry here.
 	double leastStroke() const { return strokeUlps * ulp_; }
 	LabelPlan plan(const Outline& outline);
 
 private:
 	static constexpr double snapUlps = 4, strokeUlps = 24, shiftUlps = 3, shortestUlps = 2, capUlps = 6;
+	static constexpr double apartSnaps = 4;  ///< points of a contour that are closer are one
 	static constexpr int mostAttempts = 8;
 	static constexpr int bisections = 10;
 
@@ -130,7 +137,7 @@ inline Outline LabelPlanner::prepared(const Outline& outline, const vcg::Point2d
 
 inline std::vector<vcg::Point2d> LabelPlanner::thinned(const std::vector<vcg::Point2d>& points) const
 {
-	constexpr double apart = 4, flat = 0.5;  // of snap
+	constexpr double flat = 0.5;  // of snap
 	const auto isOnLine = [&](const vcg::Point2d& a, const vcg::Point2d& b, size_t first, size_t last) {
 		const vcg::Point2d d = b - a;
 		for (size_t i = first; i < last; ++i) {
@@ -143,12 +150,12 @@ inline std::vector<vcg::Point2d> LabelPlanner::thinned(const std::vector<vcg::Po
 	size_t skipped = 0;  // the first point after the last one kept
 	for (size_t i = 0; i < points.size(); ++i) {
 		const vcg::Point2d& next = points[(i + 1) % points.size()];
-		if (!kept.empty() && (points[i] - kept.back()).Norm() <= apart * snap_) continue;
+		if (!kept.empty() && (points[i] - kept.back()).Norm() <= apartSnaps * snap_) continue;
 		if (!kept.empty() && isOnLine(kept.back(), next, skipped, i + 1)) continue;
 		kept.push_back(points[i]);
 		skipped = i + 1;
 	}
-	while (kept.size() > 1 && (kept.front() - kept.back()).Norm() <= apart * snap_) kept.pop_back();
+	while (kept.size() > 1 && (kept.front() - kept.back()).Norm() <= apartSnaps * snap_) kept.pop_back();
 	return kept;
 }
 
@@ -178,13 +185,16 @@ inline void LabelPlanner::requireSheetSurvives()
 inline LabelPlan LabelPlanner::plan(const Outline& outline)
 {
 	requireSheetSurvives();
+	const double height = std::abs(options_.height);
+	if (height != 0 && !(height > snap_))
+		throw Error(ErrorCode::BadHeight, "finer than the coordinates").measured(height, snap_);
 	PlacementConflict conflict{"", {0, 0}};
 	for (int i = 0; i < mostAttempts; ++i) {
 		constexpr double golden = 2.399963229728653;  // radians; a spiral that never repeats a direction
 		const vcg::Point2d shift = vcg::Point2d(std::cos(golden * i), std::sin(golden * i)) * (shiftUlps * i * ulp_);
 		LabelPlan plan;
 		plan.attempts = i + 1;
-		plan.resolution = 2 * snap_ + shift.Norm();  // snapped, and thinned by less than as much again
+		plan.resolution = (1 + apartSnaps) * snap_ + shift.Norm();  // snapped, and thinned
 		if (attempt(prepared(outline, shift), i + 1 == mostAttempts, plan, conflict)) return plan;
 		report(10);
 	}

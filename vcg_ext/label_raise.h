@@ -35,9 +35,10 @@ struct PatchFace {
 struct LabelPatch {
 	std::vector<PatchVertex> vertices;                ///< new
 	std::vector<std::pair<int, vcg::Point3d>> moved;  ///< sheet vertices within letters, and where to
-	std::vector<PatchFace> faces;  ///< for each removed triangle at least one has it as parent and is no wall
-	std::vector<int> removed;      ///< sheet triangles, ascending
-	bool isFlat = true;            ///< nothing is raised: tops are pieces of the surface
+	std::vector<PatchFace>
+		faces;  ///< nearly each removed triangle is the parent of one that is no wall; at least as many as these
+	std::vector<int> removed;  ///< sheet triangles, ascending
+	bool isFlat = true;        ///< nothing is raised: tops are pieces of the surface
 };
 
 /// Raise the inside of a cut label.
@@ -92,10 +93,15 @@ inline void RequireOwnVertices(const Sheet& sheet, const LabelPatch& patch)
 	for (const PatchFace& f : patch.faces)
 		for (const int v : f.vertex)
 			if (f.kind == FaceKind::Outside && v < int(shared.size())) shared[size_t(v)] = 1;
+	std::vector<int> ofStraddling;  // mesh indices
+	for (const StraddlingTriangle& s : sheet.straddling)
+		ofStraddling.insert(ofStraddling.end(), s.vertex.begin(), s.vertex.end());
+	std::sort(ofStraddling.begin(), ofStraddling.end());
 	std::vector<char> isRemoved(sheet.triangles.size(), 0);
 	for (const int t : patch.removed) isRemoved[size_t(t)] = 1;
 	for (const auto& [v, to] : patch.moved) {
-		bool own = !shared[size_t(v)];
+		bool own = !shared[size_t(v)] &&
+		           !std::binary_search(ofStraddling.begin(), ofStraddling.end(), sheet.vertices[size_t(v)].index);
 		for (int i = sheet.vertexStart[size_t(v)]; i < sheet.vertexStart[size_t(v) + 1]; ++i)
 			own = own && isRemoved[size_t(sheet.vertexFan[size_t(i)])];
 		if (!own)

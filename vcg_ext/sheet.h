@@ -82,11 +82,12 @@ struct SheetTriangle {
 	int birthFace() const { return birth < 0 ? face : birth; }
 };
 
-enum HalfEdgeKind : int { BorderEdge = -1, NonManifoldEdge = -2 };
+enum HalfEdgeKind : int { BorderEdge = -1, NonManifoldEdge = -2, BehindCameraEdge = -3 };
 
 /// A triangle that reaches behind the centre of projection: it can't be seen whole, but it can be met.
 struct StraddlingTriangle {
 	std::array<vcg::Point3d, 3> mesh, label;  ///< corners in mesh coordinates and in label space
+	std::array<int, 3> vertex;                ///< indices in the mesh
 	int face = -1;                            ///< index in the mesh
 };
 
@@ -167,6 +168,21 @@ inline void PairHalfEdges(Sheet& sheet)
 			sheet.twin[size_t(other)] = h;
 		}
 	}
+}
+
+/// What lies beyond an edge of a straddling triangle can't be seen: no contour may cross it.
+inline void MarkStraddlingEdges(Sheet& sheet)
+{
+	if (sheet.straddling.empty()) return;
+	std::vector<std::pair<int, int>> edges;
+	for (const StraddlingTriangle& s : sheet.straddling)
+		for (size_t k = 0; k < 3; ++k) edges.push_back(std::minmax({s.vertex[k], s.vertex[(k + 1) % 3]}));
+	std::sort(edges.begin(), edges.end());
+	const auto index = [&](int v) { return sheet.vertices[size_t(v)].index; };
+	for (int h = 0; h < int(sheet.twin.size()); ++h)
+		if (std::binary_search(edges.begin(), edges.end(),
+		                       std::pair<int, int>(std::minmax({index(sheet.from(h)), index(sheet.to(h))}))))
+			sheet.twin[size_t(h)] = BehindCameraEdge;
 }
 
 inline void BuildVertexFans(Sheet& sheet)
@@ -308,9 +324,9 @@ void CollectTriangles(const MeshType& m, const LabelSpace& space, double depth, 
 		for (const int face : part.straddling) {
 			StraddlingTriangle s;
 			s.face = face;
-			const std::array<int, 3> v = CornersOfFace(m, space, face);
+			s.vertex = CornersOfFace(m, space, face);
 			for (size_t k = 0; k < 3; ++k) {
-				s.mesh[k] = PointOf(m.vert[size_t(v[k])]);
+				s.mesh[k] = PointOf(m.vert[size_t(s.vertex[k])]);
 				s.label[k] = space.toLabel(s.mesh[k]);
 			}
 			if (IsFinite(s.label[0]) && IsFinite(s.label[1]) && IsFinite(s.label[2])) sheet.straddling.push_back(s);
@@ -368,6 +384,15 @@ void CollectVertices(const MeshType& m, const LabelSpace& space, const std::vect
 
 }  // namespace detail
 
+/// Why a contour or the inside of a letter can't go on over an edge.
+inline ErrorCode CodeOfEdge(int twin)
+{
+	return twin == BorderEdge         ? ErrorCode::Border
+	       : twin == NonManifoldEdge  ? ErrorCode::NonManifold
+	       : twin == BehindCameraEdge ? ErrorCode::BehindCamera
+	                                  : ErrorCode::Silhouette;
+}
+
 /// Collect the triangles whose projection meets a box of the label plane; one linear pass over vertices and faces.
 /// @param[in] depth  world units: of those that show their backs, what lies whole further behind all that face the viewer is left
 ///                   out; the underside of a part is of no interest to a label on its top
@@ -384,6 +409,7 @@ Sheet CollectSheet(const MeshType& m, const LabelSpace& space, const PlaneBox& b
 	detail::CollectTriangles(m, space, depth, code, sheet);
 	detail::CollectVertices(m, space, code, sheet);
 	detail::PairHalfEdges(sheet);
+	detail::MarkStraddlingEdges(sheet);
 	detail::BuildVertexFans(sheet);
 	return sheet;
 }

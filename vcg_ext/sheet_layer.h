@@ -14,7 +14,7 @@ struct SheetLayer {
 	/// Over `box` the members cover the label plane exactly once; false claims nothing.
 	bool isSingle = false;
 	PlaneBox box;
-	std::vector<char> member;  ///< #T; all 0 unless isSingle
+	std::vector<char> member;  ///< #T; of no account unless isSingle
 
 	/// Two members that meet within the box can't overlap in the label plane.
 	bool has(int triangle) const { return isSingle && member[size_t(triangle)] != 0; }
@@ -83,9 +83,9 @@ inline SheetLayer FindLayer(const Sheet& sheet, const std::vector<int>& seeds)
 			}
 		}
 	}
-	if (isOpen) return layer;
+	const auto isMember = [&layer](int seed) { return layer.member[size_t(seed)] != 0; };
+	if (isOpen || !std::all_of(seeds.begin(), seeds.end(), isMember)) return layer;  // or it stands on several surfaces
 	for (const int seed : seeds) {
-		if (!layer.member[size_t(seed)]) return layer;  // the label stands on several surfaces
 		const auto& v = sheet.triangles[size_t(seed)].vertex;
 		const vcg::Point2d middle = (sheet.plane(v[0]) + sheet.plane(v[1]) + sheet.plane(v[2])) / 3;
 		if (!layer.isSingle && layer.box.holds(middle)) layer.isSingle = detail::IsCoveredOnce(sheet, layer, middle);

@@ -131,13 +131,35 @@ struct PlannedLabel {
 	bool survivesFloat32 = true;
 };
 
-/// @param[in] depth  world units: how far behind the surface the label may reach
+/// What the candidates are collected in.
+struct PlanBox {
+	PlaneBox plane;
+	double room = 0;  ///< world units: between the outline and the border of the box
+
+	void grow(double margin)
+	{
+		plane.grow(margin);
+		room += margin;
+	}
+};
+
+/// @param[in] seesAll  also what shows its back deeper than the label may reach
 template <class MeshType>
-PlannedLabel PlanInBox(const MeshType& m, const LabelSpace& space, const Outline& outline, const PlaneBox& box,
-                       double depth, const LabelOptions& options)
+PlannedLabel PlanInBox(const MeshType& m, const LabelSpace& space, const Outline& outline, PlanBox box,
+                       const LabelOptions& options, bool seesAll)
 {
 	PlannedLabel p;
-	p.sheet = CollectSheet(m, space, box, depth);
+	const auto collect = [&] {
+		const double depth =
+			seesAll ? std::numeric_limits<double>::infinity() : std::abs(options.height) + 2 * box.room;
+		p.sheet = CollectSheet(m, space, box.plane, depth);
+	};
+	collect();
+	// a contour may move to an edge, whose other faces must be there too
+	for (double most; (most = LabelPlanner::worstResolution(space, p.sheet, Precision{true})) > box.room;) {
+		box.grow(2 * most);
+		collect();
+	}
 	if (p.sheet.isEmpty) throw Error(ErrorCode::EmptyMesh, "no face with finite corners");
 	double diagonal = 0;
 	if (ExceedsPart(m, space, p.sheet, std::abs(options.height), diagonal))
@@ -151,27 +173,27 @@ PlannedLabel PlanInBox(const MeshType& m, const LabelSpace& space, const Outline
 		try {
 			planWith(Precision{true});
 		} catch (const Error& e) {
-			if (!isDouble || e.code != ErrorCode::TooFine) throw;
-			p.sheet = CollectSheet(m, space, box, depth);
+			if (!isDouble || (e.code != ErrorCode::TooFine && e.code != ErrorCode::BadHeight)) throw;
+			collect();
 			planWith(Precision{false});
 		}
 	} catch (const Error& e) {
 		if (e.code != ErrorCode::OffSurface || !p.sheet.isShallow) throw;
-		return PlanInBox(m, space, outline, box, std::numeric_limits<double>::infinity(), options);  // or over a back
+		return PlanInBox(m, space, outline, box, options, true);  // or over a back
 	}
 	return p;
 }
 
 /// What the label would reach if it were raised by no more than a refusal says will do; empty when that can't be told.
 template <class MeshType>
-PlaneBox ReachAtLimit(const MeshType& m, const LabelSpace& space, const Outline& outline, const PlaneBox& box,
-                      double depth, LabelOptions options, const Error& refusal)
+PlaneBox ReachAtLimit(const MeshType& m, const LabelSpace& space, const Outline& outline, const PlanBox& box,
+                      LabelOptions options, const Error& refusal)
 {
 	const bool isByHeight = refusal.code == ErrorCode::HitsSurface || refusal.code == ErrorCode::HitsItself;
 	if (!isByHeight || !(refusal.limit > 0)) return {};
 	options.height = std::copysign(refusal.limit, options.height);
 	try {
-		return ReachOf(space, PlanInBox(m, space, outline, box, depth, options).plan.patch);
+		return ReachOf(space, PlanInBox(m, space, outline, box, options, options.measureRoom).plan.patch);
 	} catch (const Error& e) {
 		if (e.code == ErrorCode::Cancelled) throw;
 		return {};
@@ -179,36 +201,28 @@ PlaneBox ReachAtLimit(const MeshType& m, const LabelSpace& space, const Outline&
 }
 
 /// Plan on candidates that hold all that the label may meet: where a wide-angle view sees the raised letters beside the flat ones,
-/// the candidates are collected once more; so are they when a refusal says how far the letters may rise, and that is beside them,
-/// and when the letters are so fine that the resolution is larger than the margin.
+/// the candidates are collected once more; so are they when a refusal says how far the letters may rise, and that is beside them.
 template <class MeshType>
 PlannedLabel PlanOnMesh(const MeshType& m, const LabelSpace& space, const Outline& outline, const LabelOptions& options)
 {
 	constexpr double margin = 1e-3;  // of the box: room for shifts and rounding
-	PlaneBox box = CheckedBox(outline);
+	PlanBox box{CheckedBox(outline)};
 	const bool straightUp = options.along == ExtrudeAlong::Viewpoint, staysInSight = straightUp || !space.perspective();
-	double room = (box.width() + box.height()) * margin;
-	box.grow((straightUp ? 0 : std::abs(options.height)) + room);
+	box.grow((box.plane.width() + box.plane.height()) * margin);
+	if (!straightUp) box.plane.grow(std::abs(options.height));
 	for (;;) {
 		PlaneBox reach;
-		const double depth =
-			options.measureRoom ? std::numeric_limits<double>::infinity() : std::abs(options.height) + 2 * room;
 		try {
-			PlannedLabel p = PlanInBox(m, space, outline, box, depth, options);
-			if (p.plan.resolution > room) {  // a contour may have moved to an edge whose other faces were not collected
-				room += 2 * p.plan.resolution;
-				box.grow(2 * p.plan.resolution);
-				continue;
-			}
+			PlannedLabel p = PlanInBox(m, space, outline, box, options, options.measureRoom);
 			reach = ReachOf(space, p.plan.patch);
-			if (staysInSight || box.holds(reach)) return p;
+			if (staysInSight || box.plane.holds(reach)) return p;
 		} catch (const Error& e) {
 			if (staysInSight) throw;
-			reach = ReachAtLimit(m, space, outline, box, depth, options, e);
-			if (box.holds(reach)) throw;
+			reach = ReachAtLimit(m, space, outline, box, options, e);
+			if (box.plane.holds(reach)) throw;
 		}
-		box.add(reach.low);
-		box.add(reach.high);
+		box.plane.add(reach.low);
+		box.plane.add(reach.high);
 	}
 }
 
