@@ -185,9 +185,6 @@ inline void LabelPlanner::requireSheetSurvives()
 inline LabelPlan LabelPlanner::plan(const Outline& outline)
 {
 	requireSheetSurvives();
-	const double height = std::abs(options_.height);
-	if (height != 0 && !(height > snap_))
-		throw Error(ErrorCode::BadHeight, "finer than the coordinates").measured(height, snap_);
 	PlacementConflict conflict{"", {0, 0}};
 	for (int i = 0; i < mostAttempts; ++i) {
 		constexpr double golden = 2.399963229728653;  // radians; a spiral that never repeats a direction
@@ -198,6 +195,9 @@ inline LabelPlan LabelPlanner::plan(const Outline& outline)
 		if (attempt(prepared(outline, shift), i + 1 == mostAttempts, plan, conflict)) return plan;
 		report(10);
 	}
+	const double height = std::abs(options_.height);
+	if (conflict.code == ErrorCode::TooFine && height > 0 && height <= snap_)
+		throw Error(ErrorCode::BadHeight, "finer than the coordinates").measured(height, snap_);
 	vcg::Point3d onPlane(conflict.place[0], conflict.place[1], 0);
 	throw Error(conflict.code, conflict.why).atPlace(space_.toMesh(onPlane)).measured(0, leastStroke());
 }
