@@ -3,15 +3,20 @@
 TEXTLABEL_SERIALS says how many (default 60; the full run is 1000).
 """
 
+import contextlib
 import csv
+import functools
+import io
 import json
 import os
 import pathlib
 import re
+import shutil
 import signal
 import subprocess
 import time
 import unittest
+import unittest.mock
 
 from python_support import (
     MESHES,
@@ -27,6 +32,8 @@ from python_support import (
 )
 
 import textlabel
+from textlabel import crew
+from textlabel.__main__ import main
 from textlabel.manifest import sha256
 
 COUNT = int(os.environ.get("TEXTLABEL_SERIALS", "60"))
@@ -63,7 +70,7 @@ def wait_for(condition, process):
         time.sleep(0.002)
 
 
-def children(process):
+def children(pid):
     """Ids of the processes that a process has started."""
     found = []
     for stat in pathlib.Path("/proc").glob("[0-9]*/stat"):
@@ -71,7 +78,7 @@ def children(process):
             parent = stat.read_text(errors="replace").rsplit(")", 1)[1].split()[1]
         except OSError:
             continue  # it has just ended
-        if parent == str(process.pid):
+        if parent == str(pid):
             found.append(int(stat.parent.name))
     return found
 
@@ -197,7 +204,7 @@ class Numbers(InFolder):
         write_table(self.table, ["text"], [[text] for text in texts])
         process = self.start("--jobs", "2")
         wait_for(lambda: self.output.is_dir() and len(files(self.output)) >= 5, process)
-        os.kill(children(process)[0], signal.SIGKILL)
+        os.kill(children(process.pid)[0], signal.SIGKILL)
         said = process.stderr.read()
         self.assertEqual(process.wait(), 1, said)
         self.assertIn("ended unexpectedly (status -9)", said)
@@ -206,6 +213,48 @@ class Numbers(InFolder):
         self.assertEqual(run_module(*self.arguments).returncode, 0)
         self.assertFalse((self.output / "failed.csv").exists())
         self.check_files(texts)
+
+    def test_no_room_for_so_many_processes(self):
+        import resource
+
+        texts = serials(40)
+        write_table(self.table, ["text"], [[text] for text in texts])
+        _, hard = resource.getrlimit(resource.RLIMIT_NOFILE)
+        few = functools.partial(resource.setrlimit, resource.RLIMIT_NOFILE, (64, hard))
+        done = run_module(*self.arguments, "--jobs", "40", preexec_fn=few)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertNotIn("Traceback", done.stderr)
+        self.check_files(texts)
+
+    def test_no_room_for_any_process(self):
+        write_table(self.table, ["text"], [[text] for text in serials(3)])
+        for what in ("subprocess.Popen", "tempfile.TemporaryFile", "threading.Thread.start"):
+            lack = RuntimeError("no room") if "Thread" in what else OSError(24, "no room")
+            with self.subTest(what), unittest.mock.patch(f"textlabel.crew.{what}", side_effect=lack):
+                said = io.StringIO()
+                with contextlib.redirect_stderr(said):
+                    status = main([*map(str, self.arguments), "--jobs", "2", "--quiet"])
+                self.assertEqual(status, 1, said.getvalue())
+                self.assertIn("0 made", said.getvalue())
+                self.assertEqual(said.getvalue().count("no room. Take fewer --jobs"), 3)
+
+    @unittest.skipUnless(os.path.isdir("/proc/self"), "needs /proc to find the process")
+    def test_a_process_that_ends_before_its_task(self):
+        member = crew.Member()
+        with unittest.mock.patch("textlabel.crew.sys.executable", shutil.which("false")):
+            member.start()
+        os.waitid(os.P_PID, children(os.getpid())[0], os.WEXITED | os.WNOWAIT)
+        self.assertIn("ended unexpectedly (status 1)", member.do({})["reason"])
+
+    def test_a_process_that_answers_nonsense(self):
+        speaker = self.folder / "speaker"
+        speaker.write_text("#!/bin/sh\nread task; echo nonsense; cat >/dev/null\n")
+        speaker.chmod(0o755)
+        with unittest.mock.patch("textlabel.crew.sys.executable", str(speaker)):
+            answers = dict(crew.Crew([(key, {}) for key in range(3)], 1).answers())
+        self.assertEqual(sorted(answers), list(range(3)))
+        for answer in answers.values():
+            self.assertIn("unexpected", answer["reason"])
 
     def test_files_and_manifest_that_came_to_harm(self):
         texts = serials(6)
