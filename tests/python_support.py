@@ -3,10 +3,12 @@
 import collections
 import os
 import pathlib
+import struct
 import subprocess
 import sys
 import tempfile
 import unittest
+import zlib
 
 SOURCE = pathlib.Path(os.environ.get("TEXTLABEL_SOURCE_DIR", pathlib.Path(__file__).resolve().parents[1]))
 PLUGIN = os.environ.get("TEXTLABEL_PYMESHLAB_PLUGIN", "")
@@ -71,6 +73,30 @@ def euler(mesh):
     """Vertices - edges + triangles."""
     along, back = sides(mesh)
     return len(mesh.points) - len(np.unique(np.minimum(along, back))) + len(mesh.triangles)
+
+
+def write_textured_box(folder, texture="skin.png", shade=200):
+    """box.obj, 60 x 40 x 10, in a new folder, its material, and the texture beside it: 2 x 2 pixels of one grey."""
+    folder.mkdir(parents=True)
+    x, y, z = 60, 40, 10
+    points = [(a, b, c) for c in (0, z) for b in (0, y) for a in (0, x)]
+    quads = [(0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (2, 6, 7, 3), (0, 4, 6, 2), (1, 3, 7, 5)]
+    triangles = [(a, b, c) for a, b, c, _ in quads] + [(a, c, d) for a, _, c, d in quads]
+    lines = ["mtllib box.mtl"]
+    lines += ["v {} {} {}".format(*point) for point in points]
+    lines += [f"vt {a / x} {b / y}" for a, b, _ in points]
+    lines += ["usemtl skin"]
+    lines += ["f " + " ".join(f"{corner + 1}/{corner + 1}" for corner in triangle) for triangle in triangles]
+    (folder / "box.obj").write_text("\n".join(lines) + "\n")
+    (folder / "box.mtl").write_text(f"newmtl skin\nKd 1 1 1\nmap_Kd {texture}\n")
+    path = folder / texture
+    path.parent.mkdir(parents=True, exist_ok=True)
+    chunks = {b"IHDR": struct.pack(">IIBBBBB", 2, 2, 8, 0, 0, 0, 0), b"IDAT": zlib.compress(bytes([0, shade, shade] * 2))}
+    with open(path, "wb") as file:
+        file.write(b"\x89PNG\r\n\x1a\n")
+        for name, data in [*chunks.items(), (b"IEND", b"")]:
+            file.write(struct.pack(">I", len(data)) + name + data + struct.pack(">I", zlib.crc32(name + data)))
+    return folder / "box.obj"
 
 
 def run_module(*arguments, **options):

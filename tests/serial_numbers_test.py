@@ -283,11 +283,29 @@ class Numbers(InFolder):
         write_table(self.table, ["text"], [[text] for text in texts])
         self.assertEqual(run_module(*self.arguments).returncode, 0)
         name = files(self.output)[1]
-        (self.output / ".unfinished").mkdir()
-        (self.output / name).rename(self.output / ".unfinished" / name)
+        self.put_back(name)
         done = run_module(*self.arguments)
         self.assertIn("0 made", done.stderr)
         self.check_files(texts)
+
+    def put_back(self, name):
+        """As a run leaves it that is killed between a file's line and its move."""
+        waiting = self.output / ".unfinished" / name
+        waiting.mkdir(parents=True)
+        (self.output / name).rename(waiting / name)
+
+    def test_line_written_but_file_not_moved_and_then_other_rows(self):
+        texts = serials(4)
+        write_table(self.table, ["text"], [[text] for text in texts[:2]])
+        self.assertEqual(run_module(*self.arguments).returncode, 0)
+        self.put_back("bracket-SN-00001.stl")
+        write_table(self.table, ["text"], [[text] for text in texts[2:]])
+        self.assertEqual(run_module(*self.arguments).returncode, 0)
+        self.assertEqual(len(files(self.output)), 4)
+        write_table(self.table, ["text"], [[text] for text in texts])
+        done = run_module(*self.arguments)
+        self.assertIn("0 made", done.stderr)
+        self.assertEqual([entry["file"] for entry in entries(self.output)], files(self.output))
 
 
 if __name__ == "__main__":

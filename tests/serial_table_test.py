@@ -6,7 +6,7 @@ import os
 import shutil
 import unittest
 
-from python_support import MESHES, InFolder, run_module
+from python_support import MESHES, InFolder, np, pymeshlab, run_module, write_textured_box
 
 import textlabel
 from textlabel import tasks
@@ -233,6 +233,63 @@ class CommandLine(InFolder):
             ["bracket-0001.obj", "bracket-0001.obj.mtl", "bracket-0002.obj", "bracket-0002.obj.mtl", "manifest.jsonl"],
         )
         self.assertIn("mtllib ./bracket-0002.obj.mtl", (self.folder / "out" / "bracket-0002.obj").read_text())
+
+    def check_textured(self, file, shade):
+        """The labelled box shows its texture: all pixels have the shade."""
+        meshes = pymeshlab.MeshSet()
+        meshes.load_new_mesh(str(self.folder / "out" / file))
+        mesh = meshes.current_mesh()
+        self.assertGreater(mesh.face_number(), 12)
+        self.assertTrue(mesh.has_wedge_tex_coord())
+        self.assertEqual(mesh.texture_number(), 1)
+        meshes.apply_filter("compute_color_from_texture_per_vertex")
+        colors = np.unique((mesh.vertex_color_matrix()[:, 0] * 255).round())
+        self.assertEqual(colors.tolist(), [shade])
+
+    def test_textured_part(self):
+        for ending in ("obj", "ply"):
+            for texture in ("skin.png", "pictures/skin.png"):
+                with self.subTest(ending=ending, texture=texture):
+                    shutil.rmtree(self.folder / "out", ignore_errors=True)
+                    shutil.rmtree(self.folder / "part", ignore_errors=True)
+                    box = write_textured_box(self.folder / "part", texture, shade=201)
+                    self.run_serial(box, "--count", "12", "--jobs", "2", "--format", ending)
+                    files = [f"box-{number:04}.{ending}" for number in range(1, 13)]
+                    materials = [f"{file}.mtl" for file in files] if ending == "obj" else []
+                    self.assertEqual(self.made(), sorted([*files, *materials, "manifest.jsonl", texture]))
+                    shutil.rmtree(self.folder / "part")
+                    for file in (files[0], files[-1]):
+                        self.check_textured(file, 201)
+                    self.assertFalse((self.folder / "out" / ".unfinished").exists())
+
+    def test_formats_without_textures_leave_none(self):
+        box = write_textured_box(self.folder / "part")
+        for ending in ("stl", "off"):
+            self.run_serial(box, "--count", "1", "--format", ending)
+            self.assertEqual(self.made(), [f"box-0001.{ending}", "manifest.jsonl"])
+            shutil.rmtree(self.folder / "out")
+
+    def test_textures_of_the_same_name(self):
+        boxes = [write_textured_box(self.folder / "light", shade=220), write_textured_box(self.folder / "dark", shade=40)]
+        boxes = [box.rename(box.with_name(f"{box.parent.name}.obj")) for box in boxes]
+        said = self.run_serial(*boxes, "--count", "2", "--jobs", "1", status=1)
+        self.assertIn("2 made", said)
+        self.assertEqual(said.count("'skin.png' would replace another one"), 2)
+        for number in (1, 2):
+            self.check_textured(f"dark-000{number}.obj", 40)
+        shutil.rmtree(self.folder / "out")
+        self.run_serial(*boxes, "--count", "2", "--name", "{part}/{text}")
+        self.check_textured("dark/dark-0001.obj", 40)
+        self.check_textured("light/light-0001.obj", 220)
+        # Their materials are a file's own, and made again with it.
+        self.run_serial(*boxes, "--count", "2", "--name", "{part}/{text}", "--color", "0057b8", "--overwrite")
+        self.check_textured("light/light-0001.obj", 220)
+
+    def test_texture_outside_the_part_s_folder(self):
+        box = write_textured_box(self.folder / "part", "../skin.png")
+        said = self.run_serial(box, "--count", "2", status=1)
+        self.assertIn("'../skin.png'", said)
+        self.assertEqual(self.made(), ["failed.csv", "manifest.jsonl"])
 
     def test_label(self):
         done = run_module(

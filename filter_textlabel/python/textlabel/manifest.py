@@ -1,7 +1,7 @@
 """What has been made, one JSON object for each file, and how a file is committed so that no interruption can lose it.
 
-A file is written to a folder of its own first (.unfinished). Then its line goes to the manifest, then it is moved to
-its place. Wherever that is cut off, the next run sees it: without a line the file is made again; with a line it is
+A file is written to a folder of its own first (in .unfinished), with the materials and textures that belong to it. Then
+its line goes to the manifest, then all are moved to their places. Wherever that is cut off, the next run sees it: without a line the file is made again; with a line it is
 looked for in both places and known by its hash.
 """
 
@@ -29,6 +29,10 @@ def sha256(path):
         while block := file.read(1 << 20):
             digest.update(block)
         return digest.hexdigest()
+
+
+class Clash(Exception):
+    """What is to be written beside a file is there already, and different; the text says what to do."""
 
 
 class Manifest:
@@ -59,8 +63,8 @@ class Manifest:
         return entries
 
     def unfinished(self, file):
-        """Where a file is written before it is committed."""
-        return self.folder / UNFINISHED / file
+        """Where a file is written before it is committed: in a folder that nothing else is written to."""
+        return self.folder / UNFINISHED / file / pathlib.PurePath(file).name
 
     def holds(self, entry):
         """Whether the file of an entry is there, unchanged. Finishes the commit when that was interrupted."""
@@ -76,6 +80,9 @@ class Manifest:
         """Open for appending; the entries of the files in again are forgotten, and what is half-made is removed."""
         for file in again:
             self.entries.pop(file, None)
+        for file, entry in self.entries.items():  # of other rows, too: what has its line is no longer half-made
+            if self.unfinished(file).is_file():
+                self.holds(entry)
         shutil.rmtree(self.folder / UNFINISHED, ignore_errors=True)
         self.rewrite()
         self._file = open(self.path, "ab", buffering=0)
@@ -85,7 +92,7 @@ class Manifest:
         place = {file: index for index, file in enumerate(order)}
         self.entries = dict(sorted(self.entries.items(), key=lambda item: place.get(item[0], -1)))
         fresh = self.unfinished(NAME)
-        fresh.parent.mkdir(exist_ok=True)
+        fresh.parent.mkdir(parents=True, exist_ok=True)
         with open(fresh, "wb") as file:
             for entry in self.entries.values():
                 file.write(_line(entry))
@@ -94,19 +101,36 @@ class Manifest:
         os.replace(fresh, self.path)
 
     def commit(self, entry):
-        """Take a finished file over: its line first, then its place."""
+        """Take a finished file over: its line first, then its place. Raises Clash, and takes nothing over then."""
+        self._refuse_clash(entry["file"])
         self._file.write(_line(entry))
         os.fsync(self._file.fileno())
         self._move(entry["file"])
         self.entries[entry["file"]] = entry
 
+    def _beside(self, file):
+        """(path written, path to be) of the materials and textures of a file."""
+        waiting, target = self.unfinished(file), (self.folder / file).parent
+        written = [path for path in waiting.parent.rglob("*") if path.is_file() and path != waiting]
+        return [(path, target / path.relative_to(waiting.parent)) for path in written]
+
+    def _refuse_clash(self, file):
+        """Files share textures, and must not change each other's. Materials have the file's name in theirs."""
+        for written, target in self._beside(file):
+            own = target.name.startswith(pathlib.PurePath(file).name + ".")
+            if not own and target.exists() and not (target.is_file() and sha256(target) == sha256(written)):
+                raise Clash(
+                    f"Its texture '{written.name}' would replace another one, '{target}'. "
+                    "Give each part a folder by --name '{part}/{text}', or take another output folder."
+                )
+
     def _move(self, file):
-        """The materials beside an OBJ first, so that the mesh itself says that all is there."""
-        (self.folder / file).parent.mkdir(parents=True, exist_ok=True)
+        """What belongs to a mesh first, so that the mesh itself says that all is there."""
         waiting = self.unfinished(file)
-        companions = [path for path in waiting.parent.glob("*") if path.name.startswith(waiting.name + ".")]
-        for path in [*companions, waiting]:
-            os.replace(path, (self.folder / file).with_name(path.name))
+        for written, target in [*self._beside(file), (waiting, self.folder / file)]:
+            target.parent.mkdir(parents=True, exist_ok=True)
+            os.replace(written, target)
+        shutil.rmtree(waiting.parent, ignore_errors=True)
 
     def finish(self, order):
         """Sort the manifest by order and leave the folder tidy."""

@@ -40,6 +40,11 @@ class Part:
             raise LabelError(f"The mesh '{self.path}' cannot be read: {_one_line(error)}") from error
         self._original = self._set.current_mesh_id()
 
+    def textures(self):
+        """Names of the part's textures, as its file has them."""
+        self._set.set_current_mesh(self._original)
+        return list(self._set.current_mesh().textures())
+
     def label(self, text, output, **parameters):
         """Write the part with the text cut into it to the file output; see label()."""
         self._set.set_current_mesh(self._original)
@@ -66,7 +71,7 @@ def _apply(mesh_set, text, parameters):
 def _save(mesh_set, output):
     output = os.fspath(output)
     try:
-        mesh_set.save_current_mesh(output)
+        mesh_set.save_current_mesh(output, save_textures=not output.lower().endswith((".stl", ".off")))  # they name none
     except pymeshlab.PyMeshLabException as error:
         raise LabelError(
             f"'{output}' cannot be written: {_one_line(error)} "

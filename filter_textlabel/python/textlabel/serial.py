@@ -7,7 +7,7 @@ import signal
 import sys
 
 from .crew import Crew
-from .manifest import Manifest, sha256
+from .manifest import Clash, Manifest, sha256
 from .progress import Progress
 from .tasks import Problem, UsageError, serial_of
 
@@ -126,8 +126,7 @@ def _work(tasks, entries, manifest, jobs, outcome, quiet):
     before = {number: signal.signal(number, stop) for number in (signal.SIGINT, signal.SIGTERM)}
     try:
         for file, answer in crew.answers():
-            _take(answer, by_file[file], entries[file], manifest, outcome)
-            progress.step("report" in answer)
+            progress.step(_take(answer, by_file[file], entries[file], manifest, outcome))
     finally:
         for number, handler in before.items():
             signal.signal(number, handler)
@@ -145,11 +144,17 @@ def _message(task, manifest):
 
 
 def _take(answer, task, entry, manifest, outcome):
+    """Whether the answer's file is there now."""
+    reason = answer.get("reason")
     if "report" in answer:
-        manifest.commit({**entry, **answer})
-        outcome.made += 1
-    else:
-        outcome.problems.append(Problem(task.row, f"{task.part.name}, '{task.text}'", answer["reason"]))
+        try:
+            manifest.commit({**entry, **answer})
+            outcome.made += 1
+            return True
+        except Clash as clash:
+            reason = str(clash)
+    outcome.problems.append(Problem(task.row, f"{task.part.name}, '{task.text}'", reason))
+    return False
 
 
 def _write_failed(problems, path):
