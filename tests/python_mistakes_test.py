@@ -1,6 +1,7 @@
 """A Python user's mistakes: each is an exception that says what to do, the mesh stays as it was, and Python goes on."""
 
 import os
+import shutil
 import unittest
 
 from python_support import MESHES, PLUGIN, InFolder, Mesh, np, pymeshlab, surface_faults
@@ -142,6 +143,22 @@ class Mistakes(InFolder):
         self.assertEqual(os.listdir(self.folder), ["broken.stl"])
         with self.assertRaises(textlabel.LabelError):
             textlabel.label(MESHES / "bracket.stl", "A")
+
+    def test_relative_names_after_a_file_that_cannot_be_read(self):
+        self.addCleanup(os.chdir, os.getcwd())
+        os.chdir(self.folder)
+        (self.folder / "below").mkdir()
+        (self.folder / "below" / "broken.stl").write_bytes(b"solid nothing")
+        shutil.copy(MESHES / "bracket.stl", "part.stl")
+        with self.assertRaises(textlabel.LabelError):
+            textlabel.label("below/broken.stl", "A", "out.stl")
+        self.assertEqual(os.getcwd(), os.path.realpath(self.folder))
+        textlabel.label("part.stl", "A", "below/out.stl")
+        self.assertEqual(sorted(os.listdir("below")), ["broken.stl", "out.stl"])
+        (self.folder / "removed").mkdir()
+        os.chdir("removed")
+        (self.folder / "removed").rmdir()
+        textlabel.label(self.folder / "part.stl", "A", self.folder / "out.stl")
 
     def test_plugin_that_is_none(self):
         other = self.folder / "libother.so"

@@ -1,5 +1,6 @@
 """One part, loaded once and labelled as often as wanted."""
 
+import contextlib
 import os
 
 import pymeshlab
@@ -35,7 +36,8 @@ class Part:
         self.path = os.fspath(path)
         self._set = pymeshlab.MeshSet()
         try:
-            self._set.load_new_mesh(self.path)
+            with _working_folder_kept():
+                self._set.load_new_mesh(self.path)
         except pymeshlab.PyMeshLabException as error:
             raise LabelError(f"The mesh '{self.path}' cannot be read: {_one_line(error)}") from error
         self._original = self._set.current_mesh_id()
@@ -66,6 +68,20 @@ def _apply(mesh_set, text, parameters):
     except Exception as error:  # PyMeshLab has several kinds, without a common base
         raise LabelError(_reason(error)) from error
     return {name: _plain(value) for name, value in report.items()}
+
+
+@contextlib.contextmanager
+def _working_folder_kept():
+    """MeshLab goes to the folder of a file that it reads, and stays there when the file cannot be read."""
+    try:
+        folder = os.getcwd()
+    except FileNotFoundError:  # it was removed
+        folder = None
+    try:
+        yield
+    finally:
+        if folder is not None:
+            os.chdir(folder)
 
 
 def _save(mesh_set, output):
