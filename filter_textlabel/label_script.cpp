@@ -9,6 +9,7 @@
 
 #include <iostream>
 #include <set>
+#include <stdexcept>
 
 namespace {
 
@@ -26,12 +27,17 @@ std::string Apply(const std::string& argument, LabelRequest& request)
 }
 
 /// What is given is meant to be used, as in Python (check_values in python/textlabel/plugin.py).
+/// @throws std::invalid_argument when it says from where, but not where
 void Imply(const std::set<std::string>& given, LabelRequest& request)
 {
 	const auto has = [&given](const char* name) { return given.count(name) > 0; };
+	if (has("direction") && !has("position") && !has("placement"))
+		throw std::invalid_argument(
+			"A direction alone says no place. Give a position as well, a point of the surface, or leave the direction "
+			"away: the place is chosen then.");
 	if (!has("placement")) {
 		if (has("camera")) request.placement = PlacementKind::Camera;
-		else if (has("position") || has("direction")) request.placement = PlacementKind::PointAndDirection;
+		else if (has("position")) request.placement = PlacementKind::PointAndDirection;
 	}
 	if (has("color") && !has("tint")) request.tint = true;
 }
@@ -53,6 +59,9 @@ int main(int argc, char** argv)
 		return std::cout.flush() ? 0 : 1;
 	} catch (const RequestError& error) {
 		std::cerr << ErrorText(error) << '\n';
+		return 2;
+	} catch (const std::invalid_argument& error) {
+		std::cerr << error.what() << '\n';
 		return 2;
 	}
 }

@@ -206,6 +206,7 @@ if [ -f "$font" ] && cp "$font" own.ttf && works out.stl --at 30,20,10 --size 8 
 		[ -s files/r.json ] && [ -s files/o.svg ] || fail "files of --set went elsewhere: $(ls files)"
 	fi
 fi
+works out.stl --set placement=automatic --set direction=0,0,1 box.off out.stl A43 || fail "an explicit placement says where"
 works out.stl --set placement=automatic --set position=1,2,3 box.off out.stl A43 && grep -q '"placement":"Automatic"' report.json ||
 	fail "a placement that is given counts"
 
@@ -261,6 +262,8 @@ refused 2 'needs a value' box.off out.stl A --size
 refused 2 "'abc' of size" --size abc box.off out.stl A
 refused 2 "'1,2' of position" --at 1,2 box.off out.stl A
 refused 2 'goes with --at' --direction 0,0,1 box.off out.stl A
+refused 2 'direction alone says no place' --set direction=0,0,1 box.off out.stl A
+refused 2 'direction alone says no place' --set direction=0,0,1 --camera above.xml box.off out.stl A
 refused 2 'two different places' --at 1,2,3 --camera above.xml box.off out.stl A
 refused 2 "'bold' of style" --style bold box.off out.stl A
 refused 2 "no parameter 'colour'" --set colour=red box.off out.stl A

@@ -48,6 +48,12 @@ CHECKED = [
     ("truth is a number", "A", {"mirrored": 1}, ["mirrored", "true or false"]),
     ("position is plane", "A", {"position": [1, 2]}, ["position", "three numbers"]),
     ("colour is a name", "A", {"color": "red"}, ["color", "ff8000"]),
+    ("colour of fractions", "A", {"color": (1.0, 0.5, 0)}, ["color", "(255, 128, 0)", "(1.0, 0.5, 0)"]),
+    ("colour out of range", "A", {"color": (300, 0, 0)}, ["color", "(300, 0, 0)"]),
+    ("colour below zero", "A", {"color": (0, -1, 0)}, ["color", "(0, -1, 0)"]),
+    ("colour of two numbers", "A", {"color": (0, 1)}, ["color", "(0, 1)"]),
+    ("direction alone", "A", {"direction": [0, 0, 1]}, ["direction alone", "position"]),
+    ("direction and camera", "A", {"direction": [0, 0, 1], "camera": "x"}, ["direction alone", "position"]),
     ("unknown parameter", "A", {"sise": 3}, ["sise", "Did you mean size"]),
     ("unknown style", "A", {"style": "carve"}, ["style", "Engrave", "carve"]),
     ("half a character", "A\ud800", {}, ["text"]),
@@ -93,6 +99,15 @@ class Mistakes(InFolder):
                     self.assertIn(word, str(caught.exception))
                 self.assertEqual(snapshot(self.meshes), untouched)
         self.check_usable()
+
+    def test_a_colour_may_be_three_numbers(self):
+        for color in ((0, 87, 255), np.array([0, 87, 255], np.uint8), "0057ff", "#0057FF"):
+            with self.subTest(color):
+                self.meshes.apply_filter("generate_copy_of_current_mesh")
+                textlabel.label(self.meshes, "A43", color=color, **PLACE)
+                colors = (self.meshes.current_mesh().face_color_matrix()[:, :3] * 255).round().astype(int).tolist()
+                self.assertIn([0, 87, 255], colors)
+                self.meshes.delete_current_mesh()
 
     def test_called_twice(self):
         first = textlabel.label(self.meshes, "A43", **PLACE)

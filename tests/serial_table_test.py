@@ -79,6 +79,8 @@ class Tables(InFolder):
     def test_no_table(self):
         for text, encoding in [
             ("", "utf-8"),
+            ("text,size\n", "utf-8"),
+            ("text,size\n,\n\n", "utf-8"),
             ("text,text\nA,B\n", "utf-8"),
             ("text\nÄ\n", "latin-1"),
             ('text\n"A\n', "utf-8"),
@@ -110,10 +112,13 @@ class Tables(InFolder):
         self.assertEqual(made[1].settings, {"size": "7", "style": "engrave", "depth": "2"})
 
     def test_bad_rows_do_not_stop_the_others(self):
-        rows = self.read("text,size,part,order\nA1,x,,1\n,5,,2\nA3,5,none.stl,3\nA4\nA5,5,,4\nA6,5,,4b\nA7,,,7,8\n")
+        rows = self.read(
+            "text,size,part,order,direction\nA1,x,,1,\n,5,,2,\nA3,5,none.stl,3,\nA4\nA5,5,,4,\nA6,5,,4b,\nA7,,,7,,8\n"
+            'A8,,,8,"0,0,1"\n'
+        )
         made, problems = tasks.make_tasks(rows, self.plan(name=Template("{order:03}")), self.folder)
         self.assertEqual([(task.row, task.file) for task in made], [(5, "004.stl")])
-        words = {1: "size", 2: "empty", 3: "none.stl", 4: "1 cells", 6: "4b", 7: "5 cells"}
+        words = {1: "size", 2: "empty", 3: "none.stl", 4: "1 cells", 6: "4b", 7: "6 cells", 8: "direction alone"}
         self.assertEqual([problem.row for problem in problems], list(words))
         for problem in problems:
             self.assertIn(words[problem.row], problem.reason)
@@ -184,6 +189,7 @@ class CommandLine(InFolder):
 
     def test_what_is_refused_before_anything_starts(self):
         (self.folder / "twice.csv").write_text("text\nA1\nA2\nA1\n")
+        (self.folder / "empty.csv").write_text("text\n")
         for arguments, word in [
             ([BRACKET, "--csv", "twice.csv"], "twice"),
             ([BRACKET, "--csv", "missing.csv"], "missing.csv"),
@@ -195,6 +201,9 @@ class CommandLine(InFolder):
             ([BRACKET, "--count", "2", "--set", "sise=4"], "size"),
             ([BRACKET, "--count", "2", "--size", "big"], "size"),
             ([BRACKET, "--count", "2", "--set", "size"], "NAME=VALUE"),
+            ([BRACKET, "--count", "2", "--set", "text=B"], "--set text=B"),
+            ([BRACKET, "--count", "2", "--direction", "0,0,1"], "direction alone"),
+            ([BRACKET, "--csv", "empty.csv"], "no rows"),
             ([BRACKET, "--csv", "twice.csv", "--count", "2"], "not allowed"),
             ([BRACKET], "required"),
         ]:
@@ -301,6 +310,11 @@ class CommandLine(InFolder):
         self.assertEqual(done.returncode, 1)
         self.assertIn("Move the position", done.stderr)
         self.assertFalse((self.folder / "y.stl").exists())
+        for arguments, word in ((["--direction", "0,0,1"], "direction alone"), (["--set", "text=B"], "--set text=B")):
+            done = run_module("label", BRACKET, self.folder / "y.stl", "A43", *arguments)
+            self.assertEqual(done.returncode, 2, done.stderr)
+            self.assertIn(word, done.stderr)
+            self.assertNotIn("Traceback", done.stderr)
 
 
 if __name__ == "__main__":

@@ -9,7 +9,7 @@ import sys
 
 from . import serial, tasks
 from .part import label
-from .plugin import LabelError, parse_value
+from .plugin import LabelError, check_place, parse_value
 from .tasks import UsageError
 from .template import Template, TemplateError
 
@@ -107,6 +107,8 @@ def _settings(arguments):
         name, equals, text = assignment.partition("=")
         if not equals:
             raise UsageError(f"--set {assignment}: write NAME=VALUE.")
+        if name == "text":
+            raise UsageError(f"--set {assignment}: a text is given as TEXT to label, to serial by --text or the table.")
         settings[name] = text
     try:
         for name, text in settings.items():
@@ -118,6 +120,10 @@ def _settings(arguments):
 
 def _label(arguments):
     settings = {name: parse_value(name, text) for name, text in _settings(arguments).items()}
+    try:
+        check_place(settings)
+    except LabelError as error:
+        raise UsageError(str(error)) from None
     print(json.dumps(label(arguments.input, arguments.text, arguments.output, **settings), indent=1))
     return 0
 

@@ -13,8 +13,8 @@ def label(mesh, text, output=None, **parameters):
 
     mesh: a mesh file; or a pymeshlab.MeshSet, whose current mesh is labelled in place.
     output: the file to write; None for a MeshSet that is to be worked on further.
-    parameters: of the filter, see defaults(). A position or direction without a placement means "Point and direction",
-    a camera "Camera"; a colour means that raised letters get it too.
+    parameters: of the filter, see defaults(). A position without a placement means "Point and direction", a camera
+    "Camera"; a colour, as "ff8000" or (255, 128, 0), means that raised letters get it too.
     Returns the report. Raises LabelError; a MeshSet is then as it was, and no file is written.
     """
     if isinstance(mesh, pymeshlab.MeshSet):

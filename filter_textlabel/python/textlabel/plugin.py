@@ -1,6 +1,7 @@
 """The filter inside PyMeshLab: find its plugin, load it once, and know names, types and defaults of its parameters."""
 
 import difflib
+import operator
 import os
 import pathlib
 
@@ -118,9 +119,10 @@ def check_value(name, value):
 def check_values(values):
     """All values as PyMeshLab takes them, with what they imply: a position is meant to be used.
 
-    Raises as check_value().
+    Raises as check_value() and check_place().
     """
     checked = {name: check_value(name, value) for name, value in values.items()}
+    check_place(checked)
     if "camera" in checked:
         checked.setdefault("placement", CHOICES["placement"].index("Camera"))
     if "position" in checked or "direction" in checked:
@@ -128,6 +130,15 @@ def check_values(values):
     if "color" in checked:
         checked.setdefault("tint", True)
     return checked
+
+
+def check_place(names):
+    """Raise LabelError when parameters of these names say from where, but not where."""
+    if "direction" in names and "position" not in names and "placement" not in names:
+        raise LabelError(
+            "A direction alone says no place. Give a position as well, a point of the surface, "
+            "or leave the direction away: the place is chosen then."
+        )
 
 
 def parse_value(name, text):
@@ -195,8 +206,10 @@ def _color(value):
         return value
     if isinstance(value, str):
         return _parse_color(value)
-    red, green, blue = value
-    return pymeshlab.Color(int(red), int(green), int(blue), 255)
+    red, green, blue = map(operator.index, value)  # 0.5 is a TypeError: halves would be cut off
+    if not all(0 <= part <= 255 for part in (red, green, blue)):
+        raise ValueError
+    return pymeshlab.Color(red, green, blue, 255)
 
 
 def _parse_truth(text):
@@ -222,7 +235,7 @@ _TAKES = {
     float: "a number",
     bool: "true or false",
     tuple: "three numbers, as 0,0,1",
-    pymeshlab.Color: "a colour, as ff8000",
+    pymeshlab.Color: "a colour, as ff8000 or (255, 128, 0)",
 }
 _CONVERT = {str: _text, float: _number, bool: _truth, tuple: _point, pymeshlab.Color: _color}
 _PARSE = {str: str, float: float, bool: _parse_truth, tuple: _parse_point, pymeshlab.Color: _parse_color}

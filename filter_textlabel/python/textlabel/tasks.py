@@ -77,11 +77,14 @@ def read_table(path, first):
     columns = [name.strip() for name in rows[0]] if rows else []
     if not any(columns) or len(set(columns)) < len(columns):
         raise UsageError(f"The table {path} needs a first line with a different name for each column, as text,part.")
-    return [
+    filled = [
         (index, {"n": first + index - 1, **_cells(columns, cells)})
         for index, cells in enumerate(rows[1:], 1)
         if any(cell.strip() for cell in cells)
     ]
+    if not filled:
+        raise UsageError(f"The table {path} has no rows below its header. Write a serial number into each.")
+    return filled
 
 
 def _cells(columns, cells):
@@ -133,6 +136,11 @@ def _check_fields(rows, plan):
     if plan.text is not None:
         plan.text.check(columns | {"part"})
     plan.name.check(columns | {"part", "text"})
+    if "direction" in plan.settings:
+        try:
+            plugin.check_place(columns | set(plan.settings))
+        except plugin.LabelError as error:
+            raise UsageError(str(error)) from None
 
 
 def _parts(values, plan, table_folder):
@@ -157,6 +165,7 @@ def _task(row, part, values, plan):
     settings.update({name: fields[name] for name in plugin.defaults() if name != "text" and fields.get(name)})
     for name, value in settings.items():
         plugin.parse_value(name, value)
+    plugin.check_place(settings)
     return Task(row, part, text, _file_name(part, text, fields, plan), settings)
 
 
