@@ -157,7 +157,7 @@ display_pid=
 fresh=
 clean_up() {
 	if [ -n "$display_pid" ]; then kill "$display_pid" 2>/dev/null || true; fi
-	rm -rf "$work" ${fresh:+"$fresh" "$fresh.mtl"}
+	rm -rf -- "$work" ${fresh:+"$fresh" "$fresh.mtl"}
 }
 trap clean_up EXIT
 
@@ -200,7 +200,8 @@ status=0
 	LC_ALL=C.UTF-8 XDG_RUNTIME_DIR="$work" "$work/tree/bin/meshlabserver" -i "$(absolute "$input")" -s "$work/label.mlx" \
 		-o "$work/labelled.$ending" ${carried[@]:+-m "${carried[@]}"} >"$work/log" 2>"$work/errors" || status=$?
 } 2>/dev/null  # what the shell says about a program that aborts
-reason=$(sed -n 's/^.*Text Label: \([^{]\)/\1/p' "$work/errors" | head -n 1)
+# The filter's lines and the log's, from their beginning: the report holds the text, which may say anything.
+reason=$(sed -n 's/^\(LOG: [0-9]* \)\{0,1\}Text Label: \([^{]\)/\2/p' "$work/errors" | head -n 1)
 [ -z "$reason" ] || refuse "$reason"
 if [ ! -s "$work/labelled.$ending" ] || [ $status -ne 0 ]; then
 	cat "$work/log" "$work/errors" >&2

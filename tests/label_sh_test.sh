@@ -140,7 +140,7 @@ number() { sed -n "s/.*\"$1\":\([-+.0-9e]*\).*/\1/p" report.json; }
 about() { awk -v a="$1" -v b="$2" -v t="$3" 'BEGIN { d = a - b; exit !((d < 0 ? -d : d) <= t) }'; }
 
 works() { # OUTPUT ARGUMENTS OF label.sh: run, and check the exit
-	rm -f report.json "$1"
+	rm -f -- report.json "$1"
 	"$label" --report report.json "${@:2}" >said 2>&1 || { fail "exit $? of label.sh ${*:2}"; return 1; }
 	[ -s "$1" ] || { fail "no $1 from label.sh ${*:2}"; return 1; }
 }
@@ -229,6 +229,14 @@ if works "${odd%.off} 2.stl" --size 5 -- "$odd" "${odd%.off} 2.stl" $'<&>"\'Äß
 	sound "${odd%.off} 2.stl"
 	grep -qF '"text":"<&>\"'"'"'Äß\\n€ --x"' report.json || fail "the text arrived as $(grep -o '"text":.*"font"' report.json)"
 fi
+for text in 'Text Label: A43' $'A\nText Label: B' 'LOG: 2 Text Label: C'; do
+	works out.stl --size 3 -- box.off out.stl "$text" && sound out.stl
+done
+mkdir -- -r  # also as an option of rm
+if works -r/out.obj --size 5 --color 12ab34 -- box.off -r/out.obj A; then
+	[ "$(ls -A -- -r | sort | tr '\n' ' ')" = 'out.obj out.obj.mtl ' ] || fail "left in the folder -r: $(ls -A -- -r)"
+fi
+[ ! -s said ] || fail "a folder -r, and something to say about it"
 works out.ply --size 5 --outline flat.svg --picture picture.png box.off out.ply -- '-5'
 grep -q '<svg' flat.svg 2>/dev/null || fail "no outline"
 [ "$(head -c 8 picture.png 2>/dev/null | od -An -tx1 | tr -d ' \n')" = 89504e470d0a1a0a ] || fail "no picture"
