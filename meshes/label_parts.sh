@@ -32,6 +32,7 @@ while IFS=$'\t' read -r file text style size depth position direction up along c
 		same "$report" genus; then valid=yes; fi
 	paper="figure $figure"
 	[ "$before" = - ] || paper="$paper: $before → $after"
-	printf '| `%s` | %s, %s | %s → %s | %s | %.1f ms | %s |\n' "$file" "$text" "$style" "$(value "$report" triangles_before)" \
+	# The times have points, whatever the user's locale writes.
+	LC_ALL=C printf '| `%s` | %s, %s | %s → %s | %s | %.1f ms | %s |\n' "$file" "$text" "$style" "$(value "$report" triangles_before)" \
 		"$(value "$report" triangles_after)" "$paper" "$(value "$report" label)" "$valid"
 done <"$here/parts.tsv"
