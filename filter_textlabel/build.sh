@@ -8,7 +8,8 @@
 #   meshlab-2025   MeshLab 2025.07, single precision (the usual download)
 #   pymeshlab      PyMeshLab 2025.7 from PyPI (double precision)
 #
-# With TEXTLABEL_PLUGIN set, that plugin is taken as it is and nothing is built.
+# With TEXTLABEL_PLUGIN set, that plugin is taken as it is and nothing is built. TEXTLABEL_BUILD is the folder of the build
+# trees, if not build/.
 
 set -euo pipefail
 top=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -16,13 +17,17 @@ setup=$top/filter_textlabel/setup.sh
 . "$top/filter_textlabel/cmake/configure_tree.sh"
 
 if [ -n "${TEXTLABEL_PLUGIN:-}" ]; then
-	echo "$TEXTLABEL_PLUGIN"
+	[ -f "$TEXTLABEL_PLUGIN" ] || {
+		echo "textlabel: TEXTLABEL_PLUGIN names no file: '$TEXTLABEL_PLUGIN'. Correct it, or unset it to have the plugin built." >&2
+		exit 1
+	}
+	realpath -ms -- "$TEXTLABEL_PLUGIN"
 	exit
 fi
 
 host=${1:-meshlab-2020}
 shift || true
-build=$top/build/$host
+build=$(realpath -ms -- "${TEXTLABEL_BUILD:-$top/build}")/$host
 arguments=(-DCMAKE_BUILD_TYPE=Release -DTEXTLABEL_TESTS=OFF "$@")
 case $host in
 meshlab-2020)
@@ -50,7 +55,7 @@ flock 9
 [ -f "$build/.configured" ] || echo "textlabel: building the plugin for $host" >&2
 { configure_tree "$build" "${arguments[@]}" && cmake --build "$build" --target filter_textlabel; } >"$build/log" 2>&1 9>&- || {
 	cat "$build/log" >&2
-	echo "textlabel: the plugin for $host could not be built: the reason stands above, and in build/$host/log" >&2
+	echo "textlabel: the plugin for $host could not be built: the reason stands above, and in $build/log" >&2
 	exit 1
 }
 echo "$build/filter_textlabel/libfilter_textlabel.so"

@@ -8,13 +8,14 @@
 # whose names match PATTERN (default: all of them).
 make_meshlab_tree() {
 	local tree=$1 program=$2 plugin=$3 pattern=${4:-lib*.so} installed library
+	[ -f "$plugin" ] || { echo "There is no plugin '$plugin'." >&2; return 1; }
 	for installed in /usr/lib/*/meshlab; do break; done
 	library=$tree${installed#/usr}
 	mkdir -p "$tree/bin" "$tree/share" "$library/plugins"
 	cp "/usr/bin/$program" "$tree/bin/"
 	ln -sf "$installed/libmeshlab-common.so" "$library/"
 	# shellcheck disable=SC2086  # the pattern is to be expanded
-	ln -sf "$installed"/plugins/$pattern "$plugin" "$library/plugins/"
+	ln -sf "$installed"/plugins/$pattern "$(realpath -s -- "$plugin")" "$library/plugins/"
 	ln -sfn /usr/share/meshlab "$tree/share/meshlab"
 }
 

@@ -10,7 +10,7 @@ setup=$top/filter_textlabel/setup.sh
 trees=$top/build/tests
 jobs=$(nproc)
 . "$top/filter_textlabel/cmake/configure_tree.sh"
-unset TEXTLABEL_PLUGIN  # the tests are about the plugin of this tree
+unset TEXTLABEL_PLUGIN TEXTLABEL_BUILD  # the tests are about the plugins of this tree
 
 "$setup" build run tests meshlab-2020 meshlab-2022 meshlab-2025 python
 
@@ -18,10 +18,10 @@ mkdir -p "$trees"
 exec 9>"$trees/.lock"  # one at a time in these trees
 flock 9
 
-# Every generation of MeshLab compiles, warnings being errors.
+# Every generation of MeshLab compiles, warnings being errors; in trees of their own, as those of the user are for use.
 for host in meshlab-2022 meshlab-2025; do
 	echo "== plugin for $host"
-	"$top/filter_textlabel/build.sh" $host -DTEXTLABEL_WERROR=ON -DCMAKE_BUILD_TYPE=Debug >/dev/null
+	TEXTLABEL_BUILD=$trees "$top/filter_textlabel/build.sh" $host -DTEXTLABEL_WERROR=ON -DCMAKE_BUILD_TYPE=Debug >/dev/null
 done
 # The tests use these two as a user does.
 echo "== plugin for meshlab-2020 and pymeshlab"
