@@ -48,7 +48,7 @@ diff "$work/expected" "$CALLS" || fail "run.sh built other trees"
 [ "$(cat "$work/printed")" = "$work/other/meshlab-2020/filter_textlabel/libfilter_textlabel.so" ] || fail "TEXTLABEL_BUILD is not followed"
 
 # A plugin by a relative name is meant from here; one that is not there is refused, and no mesh written.
-if [ -f "$plugin" ] && command -v meshlabserver Xvfb >/dev/null; then
+if [ -f "$plugin" ] && command -v meshlabserver >/dev/null && command -v Xvfb >/dev/null; then
 	top=$PWD
 	cd "$(dirname "$plugin")"
 	for name in "${plugin##*/}" "./${plugin##*/}"; do
