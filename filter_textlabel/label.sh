@@ -16,7 +16,7 @@ TEXT            the text; \n breaks a line
 
 Where, by default the largest flat region that holds the text:
   --at X,Y,Z            at this point of the surface, seen in parallel from the direction
-  --direction X,Y,Z     from the surface towards the viewer (default 0,0,1)
+  --direction X,Y,Z     with --at: from the surface towards the viewer (default 0,0,1)
   --up X,Y,Z            where the top of the letters points (default: chosen)
   --camera FILE         in the centre of this view: what MeshLab's "Copy camera settings to clipboard" gives
   --offset U,V          shift to the right and upwards, mesh units
@@ -29,7 +29,7 @@ How:
   --font F              family ("DejaVu Sans:Bold"), font file, or either with axes ("Inter:wght=650")
   --tolerance T         largest distance between the font's curves and what is cut, mesh units
   --color RRGGBB        of the letters' faces, raised and sunk ones too
-  --set NAME=VALUE      any parameter; position, direction or camera say where, as above
+  --set NAME=VALUE      any parameter; position or camera say where, as above
 What else to write:
   --report FILE.json    the report of the run
   --picture FILE.png    a picture of the result

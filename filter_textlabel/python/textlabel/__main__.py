@@ -41,7 +41,7 @@ SHOWN = 20  # failed rows on the terminal
 # flag, parameter, help
 FLAGS = [
     ("--at", "position", "X,Y,Z: at this point of the surface (default: the largest flat region that holds the text)"),
-    ("--direction", "direction", "X,Y,Z: from the surface towards the viewer (default 0,0,1)"),
+    ("--direction", "direction", "X,Y,Z: with --at, from the surface towards the viewer (default 0,0,1)"),
     ("--up", "up", "X,Y,Z: where the top of the letters points"),
     ("--rotate", "rotation", "degrees, counter-clockwise"),
     ("--style", "style", "emboss, engrave or flat"),
