@@ -52,8 +52,10 @@ if [ -f "$plugin" ] && command -v meshlabserver >/dev/null && command -v Xvfb >/
 	top=$PWD
 	cd "$(dirname "$plugin")"
 	for name in "${plugin##*/}" "./${plugin##*/}"; do
-		[ "$(TEXTLABEL_PLUGIN=$name "$top/filter_textlabel/build.sh")" = "$PWD/${plugin##*/}" ] || fail "build.sh takes $name elsewhere"
-		TEXTLABEL_PLUGIN=$name "$top/filter_textlabel/label.sh" "$top/meshes/bracket.stl" "$work/out.stl" A || fail "label.sh with the plugin $name"
+		[ "$(TEXTLABEL_PLUGIN=$name "$top/filter_textlabel/build.sh")" = "$PWD/${plugin##*/}" ] ||
+			fail "build.sh takes $name elsewhere"
+		TEXTLABEL_PLUGIN=$name "$top/filter_textlabel/label.sh" "$top/meshes/bracket.stl" "$work/out.stl" A ||
+			fail "label.sh with the plugin $name"
 		[ -s "$work/out.stl" ] && rm "$work/out.stl" || fail "no mesh with the plugin $name"
 	done
 	. "$top/filter_textlabel/meshlab_tree.sh"

@@ -91,7 +91,8 @@ def write_textured_box(folder, texture="skin.png", shade=200):
     (folder / "box.mtl").write_text(f"newmtl skin\nKd 1 1 1\nmap_Kd {texture}\n")
     path = folder / texture
     path.parent.mkdir(parents=True, exist_ok=True)
-    chunks = {b"IHDR": struct.pack(">IIBBBBB", 2, 2, 8, 0, 0, 0, 0), b"IDAT": zlib.compress(bytes([0, shade, shade] * 2))}
+    pixels = zlib.compress(bytes([0, shade, shade] * 2))
+    chunks = {b"IHDR": struct.pack(">IIBBBBB", 2, 2, 8, 0, 0, 0, 0), b"IDAT": pixels}
     with open(path, "wb") as file:
         file.write(b"\x89PNG\r\n\x1a\n")
         for name, data in [*chunks.items(), (b"IEND", b"")]:

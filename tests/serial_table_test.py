@@ -279,7 +279,7 @@ class CommandLine(InFolder):
             shutil.rmtree(self.folder / "out")
 
     def test_textures_of_the_same_name(self):
-        boxes = [write_textured_box(self.folder / "light", shade=220), write_textured_box(self.folder / "dark", shade=40)]
+        boxes = [write_textured_box(self.folder / name, shade=shade) for name, shade in (("light", 220), ("dark", 40))]
         boxes = [box.rename(box.with_name(f"{box.parent.name}.obj")) for box in boxes]
         said = self.run_serial(*boxes, "--count", "2", "--jobs", "1", status=1)
         self.assertIn("2 made", said)

@@ -1,6 +1,6 @@
 """Several worker processes at once. One that dies takes only its own task along; another takes its place.
 
-Every task is answered, unless stop() comes first: where the system has no room for as many processes, fewer do them all.
+Every task is answered, unless stop() comes first: where the system has no room for as many processes, fewer do all.
 """
 
 import contextlib
@@ -126,7 +126,7 @@ class Crew:
                 yield answer
         if not self._stopping.is_set():
             for key in self._unanswered:
-                yield key, {"reason": f"No process was there to make it: {self._lack}. Take fewer --jobs, or mend that."}
+                yield key, {"reason": f"There was no process for it: {self._lack}. Take fewer --jobs, or mend that."}
 
     def stop(self):
         """Begin no more tasks."""

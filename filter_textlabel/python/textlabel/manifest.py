@@ -1,8 +1,8 @@
 """What has been made, one JSON object for each file, and how a file is committed so that no interruption can lose it.
 
 A file is written to a folder of its own first (in .unfinished), with the materials and textures that belong to it. Then
-its line goes to the manifest, then all are moved to their places. Wherever that is cut off, the next run sees it: without a line the file is made again; with a line it is
-looked for in both places and known by its hash.
+its line goes to the manifest, then all are moved to their places. Wherever that is cut off, the next run sees it:
+without a line the file is made again; with a line it is looked for in both places and known by its hash.
 """
 
 import hashlib

@@ -87,7 +87,8 @@ def _working_folder_kept():
 def _save(mesh_set, output):
     output = os.fspath(output)
     try:
-        mesh_set.save_current_mesh(output, save_textures=not output.lower().endswith((".stl", ".off")))  # they name none
+        names_textures = not output.lower().endswith((".stl", ".off"))
+        mesh_set.save_current_mesh(output, save_textures=names_textures)
     except pymeshlab.PyMeshLabException as error:
         raise LabelError(
             f"'{output}' cannot be written: {_one_line(error)} "
