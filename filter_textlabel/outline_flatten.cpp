@@ -41,6 +41,17 @@ double ChordsNeeded(const CurvePiece& c, double error)
 	return std::max(1.0, std::ceil(std::sqrt(SecondDifference(c) / (8 * error))));
 }
 
+/// A tolerance at which a contour needs no more samples than there may be: each piece may need one more than its share,
+/// by rounding up.
+double LeastTolerance(const CurveContour& contour)
+{
+	const double left = static_cast<double>(kMostSamples) - 1 - static_cast<double>(contour.size());
+	if (!(left > 0)) throw TextError(TextErrorCode::Unsound, "a glyph has too many pieces");
+	double sum = 0;
+	for (const CurvePiece& piece : contour) sum += std::sqrt(SecondDifference(piece) / (8 * kSampleShare));
+	return std::pow(sum / left, 2);
+}
+
 /// Direction in which a piece leaves its start (or, reversed, its end): towards the first control point that differs.
 Point2d Leaving(const CurvePiece& c, bool atEnd)
 {
@@ -77,7 +88,8 @@ Samples Sample(const CurveContour& contour, double tolerance)
 	double total = 0;
 	for (const CurvePiece& piece : contour) total += ChordsNeeded(piece, kSampleShare * tolerance);
 	if (!(total < static_cast<double>(kMostSamples)))
-		throw TextError(TextErrorCode::BadTolerance, "too fine for this outline").measured(tolerance, 0);
+		throw TextError(TextErrorCode::BadTolerance, "too fine for this outline")
+			.measured(tolerance, LeastTolerance(contour));
 	const CurvePiece* before = contour.empty() ? nullptr : &contour.back();
 	for (const CurvePiece& piece : contour) {
 		if (IsFixedJoint(*before, piece, tolerance)) result.fixed.push_back(result.points.size());

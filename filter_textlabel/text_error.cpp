@@ -1,6 +1,8 @@
 #include "text_error.h"
 
 #include <algorithm>
+#include <charconv>
+#include <cmath>
 #include <cstdio>
 #include <iterator>
 #include "text_utf8.h"
@@ -16,18 +18,28 @@ constexpr std::size_t kMostListed = 20;
 
 std::string Number(double value)
 {
-	char text[32] = {};
-	std::snprintf(text, sizeof text, "%.4g", value);
-	std::replace(text, text + sizeof text, ',', '.');  // whatever the locale
-	return text;
+	constexpr int kDigits = 4;
+	char text[32];
+	return {text, std::to_chars(text, text + sizeof text, value, std::chars_format::general, kDigits).ptr};
 }
 
+/// Half of the last of four digits, relative to the smallest number that has them.
+constexpr double kHalfDigit = 1.0005;
+
 /// A number to stay above: rounded up, so that what is printed will do.
-std::string NumberAbove(double value)
+std::string NumberAbove(double value) { return Number(value * kHalfDigit); }
+
+/// A number not to exceed: rounded down where rounding to the nearest would exceed it.
+std::string NumberBelow(double value)
 {
-	constexpr double kRoundUp = 1.0005;  // for four digits
-	return Number(value * kRoundUp);
+	std::string text = Number(value);
+	double printed = 0;
+	std::from_chars(text.data(), text.data() + text.size(), printed);
+	return printed <= value ? text : Number(value / kHalfDigit);
 }
+
+/// A number of things.
+std::string Count(double value) { return std::to_string(static_cast<long long>(value)); }
 
 template <class Items, class Show>
 std::string Listed(const Items& items, Show show)
@@ -63,11 +75,11 @@ std::string TextSentence(const TextError& e)
 	case TextErrorCode::BadUtf8:
 		return "The text is not UTF-8 at byte " + std::to_string(e.offset) + ": save it, or send it, as UTF-8.";
 	case TextErrorCode::TextTooLong:
-		return "The text has " + Number(e.value) + " characters, at most " + Number(e.limit) +
-		       " can be set: shorten it.";
+		return "The text has " + Count(e.value) + " characters, at most " + Count(e.limit) + " can be set: shorten it.";
 	case TextErrorCode::MissingGlyphs:
-		return "No glyph in " + Font(e) + " for " + Characters(e) +
-		       ": choose a font that has them, or set fallback_fonts=true.";
+		return "No glyph in " + Font(e) + (e.hasFallback ? ", nor in any other that is installed," : "") + " for " +
+		       Characters(e) + ": choose a font that has them, or " +
+		       (e.hasFallback ? "write the text without them." : "set fallback_fonts=true.");
 	case TextErrorCode::NoOutlines:
 		return "There are no outlines to cut in " + Font(e) +
 		       (e.codePoints.empty() ? std::string(", only bitmaps")
@@ -90,8 +102,8 @@ std::string FontSentence(const TextError& e)
 	case TextErrorCode::NoUnicodeMap:
 		return "In " + Font(e) + " nothing says which glyph is which character: choose a font with a Unicode map.";
 	case TextErrorCode::BadFace:
-		return "There is no face " + (e.detail.empty() ? Number(e.value) : e.detail) + " in " + Font(e) +
-		       (e.limit > 0 ? ", which has " + Number(e.limit) + ", counted from 0" : "") +
+		return "There is no face " + (e.detail.empty() ? Count(e.value) : e.detail) + " in " + Font(e) +
+		       (e.limit > 0 ? ", which has " + Count(e.limit) + ", counted from 0" : "") +
 		       ": change the number after #.";
 	case TextErrorCode::BadAxis:
 		return "The setting " + Quoted(e.detail) + (e.font.empty() ? "" : " does not fit " + Font(e)) + ": " +
@@ -107,10 +119,11 @@ std::string OptionSentence(const TextError& e)
 	switch (e.code) {
 	case TextErrorCode::BadSize:
 		return "The " + std::string(e.detail == "fitWidth" ? "width to fit" : "size") + " is " + value +
-		       ": give a positive length" + (e.limit > 0 ? ", larger than " + limit + " here." : ".");
+		       ": give a positive length" + (e.limit > 0 ? ", larger than " + NumberAbove(e.limit) + " here." : ".");
 	case TextErrorCode::BadTolerance:
 		return "The tolerance " + value + " does not suit this text" + Because(e) + ": " +
-		       (e.limit > 0 ? std::string(e.value < e.limit ? "at least " + NumberAbove(e.limit) : "at most " + limit) +
+		       (e.limit > 0 ? std::string(e.value < e.limit ? "at least " + NumberAbove(e.limit)
+		                                                    : "at most " + NumberBelow(e.limit)) +
 		                          " does."
 		                    : "give a length that is not negative; 0 chooses one.");
 	case TextErrorCode::BadSpacing:
@@ -118,9 +131,10 @@ std::string OptionSentence(const TextError& e)
 		       ": give a factor from " + Number(e.least) + " to " + limit + ".";
 	case TextErrorCode::BadSlant: return "The slant is " + value + " degrees: give at most " + limit + " either way.";
 	case TextErrorCode::BadEmbolden:
-		return "Emboldening by " + value + " is out of range: give at most " + limit +
-		       ", the capital height, either way.";
+		return "Emboldening by " + value + " is out of range: give " +
+		       (e.limit > 0 ? "at most " + NumberBelow(e.limit) + ", the capital height, either way." : "a length.");
 	case TextErrorCode::BadArc:
+		if (!(e.limit > 0)) return "The radius of the arc is " + value + ": give a length; 0 is a straight line.";
 		return "The text does not fit on an arc of radius " + value + ": give a radius of " +
 		       (e.value < 0 ? "-" + NumberAbove(e.limit) + " or below" : NumberAbove(e.limit) + " or more") +
 		       ", or a smaller size.";

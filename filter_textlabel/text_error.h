@@ -26,13 +26,13 @@ enum class TextErrorCode {
 	BadFace,          ///< face number `value` of a file that has `limit` faces
 	BadAxis,  ///< `detail`: a design axis or a value that the font does not have; `substitute`: those that it has
 	// the options
-	BadSize,        ///< capital height or width to fit not a positive finite number: `value`
-	BadTolerance,   ///< chord error negative, not a number, or too coarse for the letters: `value`, `limit`
-	BadSpacing,     ///< line or letter spacing not finite or out of range: `value`, `least`, `limit`
-	BadSlant,       ///< degrees: `value`, at most `limit` either way
-	BadEmbolden,    ///< `value` not finite, or larger than `limit`
-	BadArc,         ///< the text does not fit on the arc: radius `value`, `limit` is the least that works
-	BadFeature,     ///< `detail`: not an OpenType feature setting
+	BadSize,       ///< capital height or width to fit not a positive finite number: `value`
+	BadTolerance,  ///< chord error negative, not a number, or too coarse for the letters: `value`, `limit`
+	BadSpacing,    ///< line or letter spacing not finite or out of range: `value`, `least`, `limit`
+	BadSlant,      ///< degrees: `value`, at most `limit` either way
+	BadEmbolden,   ///< `value` larger than `limit`, or not finite (`limit` 0)
+	BadArc,      ///< radius `value`: not finite (`limit` 0), or the text does not fit; `limit` is the least that works
+	BadFeature,  ///< `detail`: not an OpenType feature setting
 	BadPrintLimit,  ///< smallest stroke or gap asked for is negative or not a number: `value`
 	// the result
 	TooThin,  ///< `letters` have strokes or gaps below what was asked; `value` measured, `limit` asked, `size` would do
@@ -52,6 +52,7 @@ struct TextError : std::exception {
 	double value = 0, limit = 0;       ///< measured and allowed, see the code
 	double least = 0;                  ///< lowest allowed, of BadSpacing; `limit` is the highest
 	double size = 0;                   ///< capital height that would do, mesh units
+	bool hasFallback = false;          ///< other installed fonts were searched too
 
 	explicit TextError(TextErrorCode c, std::string d = {}) : code(c), detail(std::move(d)) {}
 	TextError& ofFont(std::string f)

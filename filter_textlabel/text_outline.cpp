@@ -28,6 +28,11 @@ void RequirePositive(double value, const char* what)
 	if (!(value > 0) || !std::isfinite(value)) throw TextError(TextErrorCode::BadSize, what).measured(value, 0);
 }
 
+void RequireFinite(double value, TextErrorCode code)
+{
+	if (!std::isfinite(value)) throw TextError(code).measured(value, 0);
+}
+
 /// A finite value in a range, or the error.
 void Require(double value, double low, double high, TextErrorCode code, const char* what)
 {
@@ -43,8 +48,8 @@ void CheckOptions(const TextOptions& options)
 	Require(options.lineSpacing, 0, kMostLineSpacing, TextErrorCode::BadSpacing, "lineSpacing");
 	Require(options.letterSpacing, kLeastLetterSpacing, kMostLetterSpacing, TextErrorCode::BadSpacing, "letterSpacing");
 	Require(options.slant, -kMostSlant, kMostSlant, TextErrorCode::BadSlant, "");
-	Require(options.arcRadius, -infinity, infinity, TextErrorCode::BadArc, "");
-	Require(options.embolden, -infinity, infinity, TextErrorCode::BadEmbolden, "");
+	RequireFinite(options.arcRadius, TextErrorCode::BadArc);
+	RequireFinite(options.embolden, TextErrorCode::BadEmbolden);
 	Require(options.minStroke, 0, infinity, TextErrorCode::BadPrintLimit, "minStroke");
 	Require(options.minGap, 0, infinity, TextErrorCode::BadPrintLimit, "minGap");
 	if (!(options.tolerance >= 0)) throw TextError(TextErrorCode::BadTolerance).measured(options.tolerance, 0);
@@ -93,6 +98,7 @@ void CheckGlyphs(const std::vector<ShapedLine>& lines, const FontStack& fonts)
 	}
 	if (missing.empty() && pictures.empty()) return;
 	TextError error(missing.empty() ? TextErrorCode::NoOutlines : TextErrorCode::MissingGlyphs);
+	error.hasFallback = fonts.mayFallBack();
 	error.ofFont(fonts.main().name()).codePoints = EachOnce(missing.empty() ? pictures : missing);
 	throw error;
 }

@@ -129,7 +129,19 @@ TEST(Flatten, NothingWithoutArea)
 	EXPECT_TRUE(Flatten({CurvePiece::Quadratic({1, 1}, {1, 1}, {1, 1})}, 0.1).empty());
 }
 
-TEST(Flatten, RefusesWhatWouldTakeTooManyPoints) { EXPECT_THROW(Flatten(Circle(1e9), 1e-9), TextError); }
+TEST(Flatten, RefusesWhatWouldTakeTooManyPointsAndNamesATolerance)
+{
+	double limit = 0;
+	try {
+		Flatten(Circle(1e9), 1e-9);
+		FAIL();
+	} catch (const TextError& e) {
+		limit = e.limit;
+		EXPECT_NE(Sentence(e).find("at least"), std::string::npos) << Sentence(e);
+	}
+	EXPECT_THROW(Flatten(Circle(1e9), 0.999 * limit), TextError);
+	EXPECT_LT(Flatten(Circle(1e9), 1.001 * limit).size(), kMostSamples);
+}
 
 /// The letters of the built-in font: error below the tolerance, and not more than 1.5 times the least number of points.
 TEST(Flatten, LettersHaveFewPointsAndKeepTheTolerance)

@@ -50,4 +50,50 @@ TEST(TextError, DataIsInTheSentence)
 	EXPECT_NE(Sentence(TextError(TextErrorCode::EmptyText).ofFont("")).find("blank"), std::string::npos);
 }
 
+TEST(TextError, CountsAreWhole)
+{
+	const std::string sentence = Sentence(TextError(TextErrorCode::TextTooLong).measured(10001, 10000));
+	EXPECT_NE(sentence.find("10001 characters, at most 10000"), std::string::npos) << sentence;
+	const std::string face = Sentence(TextError(TextErrorCode::BadFace).measured(65535, 12345));
+	EXPECT_NE(face.find("no face 65535"), std::string::npos) << face;
+	EXPECT_NE(face.find("has 12345"), std::string::npos) << face;
+}
+
+/// The first number after some words.
+double NumberAfter(const std::string& words, const std::string& sentence)
+{
+	const std::size_t at = sentence.find(words);
+	EXPECT_NE(at, std::string::npos) << words << " in " << sentence;
+	return at == std::string::npos ? 0 : std::stod(sentence.substr(at + words.size()));
+}
+
+TEST(TextError, ALimitThatIsPrintedWillDo)
+{
+	for (double limit = 1e-3; limit < 1e5; limit *= 1.000913) {
+		for (const auto code : {TextErrorCode::BadTolerance, TextErrorCode::BadEmbolden}) {
+			const double most = NumberAfter("at most ", Sentence(TextError(code).measured(2 * limit, limit)));
+			EXPECT_LE(most, limit);
+			EXPECT_GE(most, 0.999 * limit);
+		}
+		const double tolerance =
+			NumberAfter("at least ", Sentence(TextError(TextErrorCode::BadTolerance).measured(limit / 2, limit)));
+		const double width =
+			NumberAfter("larger than ", Sentence(TextError(TextErrorCode::BadSize, "fitWidth").measured(0.1, limit)));
+		for (const double least : {tolerance, width}) {
+			EXPECT_GE(least, limit);
+			EXPECT_LE(least, 1.0011 * limit);
+		}
+	}
+	EXPECT_EQ(NumberAfter("at most ", Sentence(TextError(TextErrorCode::BadEmbolden).measured(11, 10))), 10);
+}
+
+TEST(TextError, AdvisesNothingThatIsDoneAlready)
+{
+	TextError error(TextErrorCode::MissingGlyphs);
+	error.codePoints = {U'x'};
+	EXPECT_NE(Sentence(error).find("fallback_fonts=true"), std::string::npos);
+	error.hasFallback = true;
+	EXPECT_EQ(Sentence(error).find("fallback_fonts"), std::string::npos) << Sentence(error);
+}
+
 }  // namespace

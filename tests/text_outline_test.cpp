@@ -326,11 +326,13 @@ TEST(TextOutline, FallsBackOnlyWhenAsked)
 	const TextError error = ErrorOf("A日本日", options);
 	EXPECT_EQ(error.code, TextErrorCode::MissingGlyphs);
 	EXPECT_EQ(error.codePoints, (std::vector<char32_t>{U'日', U'本'}));
+	EXPECT_FALSE(error.hasFallback);
 	EXPECT_NE(Sentence(error).find("U+65E5"), std::string::npos);
 	options.fallbackFonts = true;
 	const TextOutline t = MakeTextOutline("A日本日", options);
 	EXPECT_EQ(FlawOf(t.outline), "");
 	EXPECT_EQ(t.fonts.size(), 2u);
+	EXPECT_TRUE(ErrorOf("\U0010FFFD", options).hasFallback);
 }
 
 TEST(TextOutline, PicturesOfGlyphsAreNoOutlines)
@@ -391,6 +393,9 @@ TEST(TextErrors, OfTheOptions)
 		EXPECT_EQ(code(&TextOptions::embolden, bad), TextErrorCode::BadEmbolden);
 	for (const double bad : {nan, infinity, 1e-3}) EXPECT_EQ(code(&TextOptions::arcRadius, bad), TextErrorCode::BadArc);
 	for (const double bad : {-1.0, nan}) EXPECT_EQ(code(&TextOptions::minStroke, bad), TextErrorCode::BadPrintLimit);
+	TextOptions bent;
+	bent.arcRadius = infinity;
+	EXPECT_NE(Sentence(ErrorOf("x", bent)).find("give a length"), std::string::npos);
 	EXPECT_EQ(CodeOf("x", [](TextOptions& o) { o.features = "liga,=,"; }), TextErrorCode::BadFeature);
 	EXPECT_EQ(code(&TextOptions::embolden, -5), TextErrorCode::LetterVanished);
 }
