@@ -1,6 +1,7 @@
 #include "font_face.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <functional>
 #include <ft2build.h>
@@ -30,10 +31,8 @@ std::string FreeTypeMessage(FT_Error error)
 
 std::string Number(double value)
 {
-	std::string text = std::to_string(value);
-	text.erase(text.find_last_not_of('0') + 1);
-	if (text.back() == '.') text.pop_back();
-	return text;
+	char text[32];  // the shortest that reads as this double; not as the locale writes it
+	return {text, std::to_chars(text, text + sizeof text, value).ptr};
 }
 
 std::string TagText(FT_ULong tag)

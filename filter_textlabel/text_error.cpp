@@ -147,13 +147,21 @@ std::string OptionSentence(const TextError& e)
 	}
 }
 
+/// The text that is large enough, as an advice before another one.
+std::string LargerText(const TextError& e)
+{
+	if (!std::isfinite(e.size)) return {};
+	return e.fitWidth > 0 ? "fit_width=" + NumberAbove(e.fitWidth) + " or "
+	                      : "a size of " + NumberAbove(e.size) + " or ";
+}
+
 std::string ResultSentence(const TextError& e)
 {
 	switch (e.code) {
 	case TextErrorCode::TooThin:
 		return "The narrowest " + e.detail + " measures " + Number(e.value) + ", where " + Number(e.limit) +
-		       " is asked for (too narrow in " + Letters(e) + "): a size of " + NumberAbove(e.size) +
-		       " would do, or a " + (e.detail == "gap" ? "lighter" : "bolder") + " font.";
+		       " is asked for (too narrow in " + Letters(e) + "): " + LargerText(e) + "a " +
+		       (e.detail == "gap" ? "lighter" : "bolder") + " font would do.";
 	case TextErrorCode::LetterVanished:
 		return "Nothing is left of " + Letters(e) +
 		       " at this tolerance and weight: give a finer tolerance, or thin less.";

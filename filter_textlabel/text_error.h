@@ -35,7 +35,7 @@ enum class TextErrorCode {
 	BadFeature,  ///< `detail`: not an OpenType feature setting
 	BadPrintLimit,  ///< smallest stroke or gap asked for is negative or not a number: `value`
 	// the result
-	TooThin,  ///< `letters` have strokes or gaps below what was asked; `value` measured, `limit` asked, `size` would do
+	TooThin,  ///< `letters` have strokes or gaps below what was asked; `value` measured, `limit` asked, `size` or `fitWidth` would do
 	LetterVanished,  ///< `letters` have nothing left after thinning them or at so coarse a tolerance
 	Unsound          ///< the outline could not be made simple polygons
 };
@@ -51,7 +51,8 @@ struct TextError : std::exception {
 	std::size_t offset = 0;            ///< byte of the text
 	double value = 0, limit = 0;       ///< measured and allowed, see the code
 	double least = 0;                  ///< lowest allowed, of BadSpacing; `limit` is the highest
-	double size = 0;                   ///< capital height that would do, mesh units
+	double size = 0;                   ///< capital height that would do, mesh units; infinite = none
+	double fitWidth = 0;               ///< width to fit that would do, where one was asked for; else 0
 	bool hasFallback = false;          ///< other installed fonts were searched too
 
 	explicit TextError(TextErrorCode c, std::string d = {}) : code(c), detail(std::move(d)) {}

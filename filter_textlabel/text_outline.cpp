@@ -22,6 +22,8 @@ constexpr double kLeastLetterSpacing = -1, kMostLetterSpacing = 100;  ///< times
 constexpr double kMostEmbolden = 1;                                   ///< times the capital height
 /// How far to look for what faces an edge, times the capital height: wider is no narrow place.
 constexpr double kMeasureReach = 2;
+/// Most characters that may be written for kMostLetters: with the breaks, their backslashes, and blanks at lines' ends.
+constexpr std::size_t kMostWritten = 4 * kMostLetters;
 
 void RequirePositive(double value, const char* what)
 {
@@ -65,8 +67,18 @@ std::vector<char32_t> EachOnce(const std::u32string& text)
 	return result;
 }
 
+void CheckLength(std::size_t characters, std::size_t most)
+{
+	if (characters > most)
+		throw TextError(TextErrorCode::TextTooLong).measured(static_cast<double>(characters), kMostLetters);
+}
+
 std::vector<ShapedLine> ShapeText(const std::string& utf8, FontStack& fonts, const TextOptions& options)
 {
+	// what is far too long is not even decoded; each character has one byte that does not continue another
+	CheckLength(
+		static_cast<std::size_t>(std::count_if(utf8.begin(), utf8.end(), [](char c) { return (c & 0xC0) != 0x80; })),
+		kMostWritten);
 	const std::vector<std::u32string> lines = SplitLines(DecodeUtf8(utf8));
 	std::size_t characters = 0;
 	bool hasInk = false;
@@ -74,9 +86,7 @@ std::vector<ShapedLine> ShapeText(const std::string& utf8, FontStack& fonts, con
 		characters += line.size();
 		hasInk = hasInk || !std::all_of(line.begin(), line.end(), IsBlank);
 	}
-	if (characters > static_cast<std::size_t>(kMostLetters) || lines.size() > static_cast<std::size_t>(kMostLetters))
-		throw TextError(TextErrorCode::TextTooLong)
-			.measured(static_cast<double>(std::max(characters, lines.size())), kMostLetters);
+	CheckLength(std::max(characters, lines.size()), kMostLetters);
 	if (!hasInk) throw TextError(TextErrorCode::EmptyText);
 	ShapeOptions shapeOptions{options.language, ParseFeatures(options.features)};
 	// letters that are set apart are not to be tied together
@@ -190,20 +200,21 @@ std::vector<LetterRings> RingsOf(const std::vector<PlacedGlyph>& placed, const A
 	return letters;
 }
 
-/// Capital height at which a width, of which `fixed` does not grow with the letters, reaches what was asked for.
-double SizeFor(double width, double asked, double fixed, double size)
+/// Factor for the letters that brings a width, of which `fixed` does not grow with them, to what was asked for;
+/// infinite when none does.
+double GrowthFor(double width, double asked, double fixed)
 {
-	return size * (asked - fixed) / (width - fixed);
+	return width > fixed ? (asked - fixed) / (width - fixed) : std::numeric_limits<double>::infinity();
 }
 
 void CheckPrintable(const std::vector<LetterWidths>& widths, const TextOutline& text, const TextOptions& options)
 {
 	TextError error(TextErrorCode::TooThin);
+	double growth = 0;
 	const auto check = [&](double width, double asked, double fixed, const char* what) {
 		if (width == 0 || width >= asked) return false;
-		if (error.letters.empty() || width / asked < error.value / error.limit)
-			error.measured(width, asked).detail = what;
-		error.size = std::max(error.size, SizeFor(width, asked, fixed, text.capitalHeight));
+		if (growth == 0 || width / asked < error.value / error.limit) error.measured(width, asked).detail = what;
+		growth = std::max(growth, GrowthFor(width, asked, fixed));
 		return true;
 	};
 	for (std::size_t i = 0; i < widths.size(); ++i) {
@@ -213,7 +224,11 @@ void CheckPrintable(const std::vector<LetterWidths>& widths, const TextOutline& 
 		const bool isNew = std::find(error.letters.begin(), error.letters.end(), letter) == error.letters.end();
 		if ((thin || tight) && isNew) error.letters.push_back(letter);
 	}
-	if (!error.letters.empty()) throw error;
+	if (error.letters.empty()) return;
+	error.size = growth * text.capitalHeight;
+	const double fixed = 2 * options.embolden;
+	if (options.fitWidth > 0) error.fitWidth = fixed + growth * (options.fitWidth - fixed);
+	throw error;
 }
 
 void Measure(TextOutline& text, const TextOptions& options)
