@@ -35,6 +35,22 @@ std::string Number(double value)
 	return {text, std::to_chars(text, text + sizeof text, value).ptr};
 }
 
+/// Are all points of a contour on one line?
+bool IsFlat(const CurveContour& contour)
+{
+	constexpr double kRounding = 1e-9;  // em
+	vcg::Point2d far(0, 0);             // from the start
+	std::vector<vcg::Point2d> points;
+	for (const CurvePiece& piece : contour) {
+		for (std::size_t i = 0; i <= static_cast<std::size_t>(piece.degree); ++i) {
+			points.push_back(piece.p[i] - contour[0].start());
+			if (points.back().SquaredNorm() > far.SquaredNorm()) far = points.back();
+		}
+	}
+	const double bound = kRounding * far.Norm();
+	return std::all_of(points.begin(), points.end(), [&](const auto& p) { return std::abs(far ^ p) <= bound; });
+}
+
 std::string TagText(FT_ULong tag)
 {
 	std::string text;
@@ -225,6 +241,22 @@ bool FontFace::isPicture(unsigned index) const
 	                         hb_ot_color_has_layers(tables) || hb_ot_color_has_svg(tables) ||
 	                         hb_ot_color_has_png(tables);
 	return hasPictures && glyph(index).empty();
+}
+
+bool FontFace::hasInk(unsigned index) const
+{
+	const auto [it, isNew] = m_hasInk.try_emplace(index, false);
+	if (isNew) {
+		const std::vector<CurveContour> curves = glyph(index);
+		it->second = !std::all_of(curves.begin(), curves.end(), IsFlat);
+	}
+	return it->second;
+}
+
+bool FontFace::nominalHasInk(char32_t c) const
+{
+	hb_codepoint_t index = 0;
+	return hb_font_get_nominal_glyph(m_shaper.get(), c, &index) && hasInk(index);
 }
 
 }  // namespace textlabel

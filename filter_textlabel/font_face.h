@@ -4,6 +4,7 @@
 #include <hb.h>
 #include <memory>
 #include <string>
+#include <unordered_map>
 #include <vector>
 #include "font_source.h"
 #include "outline_curve.h"
@@ -38,6 +39,10 @@ public:
 
 	/// Does the font show a glyph as a bitmap or as colour layers and not by an outline of its own?
 	bool isPicture(unsigned index) const;
+	/// Has the outline of a glyph a contour that is more than a point or a straight line there and back?
+	bool hasInk(unsigned index) const;
+	/// Has the glyph that stands for the character by itself?
+	bool nominalHasInk(char32_t c) const;
 
 private:
 	using FacePointer = std::shared_ptr<FT_FaceRec_>;
@@ -54,6 +59,7 @@ private:
 	FacePointer m_face;
 	std::unique_ptr<hb_font_t, void (*)(hb_font_t*)> m_shaper{nullptr, hb_font_destroy};
 	std::string m_description;
+	mutable std::unordered_map<unsigned, bool> m_hasInk;  ///< of the glyphs asked for
 	double m_shaperUnits = 1, m_capitalHeight = 0, m_lineHeight = 0, m_spaceAdvance = 0;
 };
 

@@ -82,8 +82,9 @@ std::string TextSentence(const TextError& e)
 		       (e.hasFallback ? "write the text without them." : "set fallback_fonts=true.");
 	case TextErrorCode::NoOutlines:
 		return "There are no outlines to cut in " + Font(e) +
-		       (e.codePoints.empty() ? std::string(", only bitmaps")
-		                             : ", only pictures (bitmaps or colour layers), for " + Characters(e)) +
+		       (e.codePoints.empty()
+		            ? std::string(", only bitmaps")
+		            : " for " + Characters(e) + ", but a picture (bitmap or colour layers), a bare line or nothing") +
 		       ": choose a font with outlines.";
 	default: return {};
 	}

@@ -17,7 +17,7 @@ enum class TextErrorCode {
 	BadUtf8,        ///< `offset`: first byte that is not UTF-8
 	TextTooLong,    ///< `value` letters, `limit` allowed
 	MissingGlyphs,  ///< `codePoints`: characters that `font` does not have
-	NoOutlines,  ///< `codePoints`: characters that `font` has as bitmaps or colour layers only (or all of them: empty)
+	NoOutlines,  ///< `codePoints`: characters that `font` has as pictures only, or empty (`codePoints` empty: all of them)
 	// the font
 	FontNotFound,     ///< no such file, or Fontconfig knows no font at all
 	FontSubstituted,  ///< no such family or style; `substitute` is what Fontconfig would take instead

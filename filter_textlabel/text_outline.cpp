@@ -101,15 +101,15 @@ std::vector<ShapedLine> ShapeText(const std::string& utf8, FontStack& fonts, con
 
 void CheckGlyphs(const std::vector<ShapedLine>& lines, const FontStack& fonts)
 {
-	std::u32string missing, pictures;
+	std::u32string missing, withoutOutline;
 	for (const ShapedLine& line : lines) {
 		missing += line.missing;
-		pictures += line.pictures;
+		withoutOutline += line.withoutOutline;
 	}
-	if (missing.empty() && pictures.empty()) return;
+	if (missing.empty() && withoutOutline.empty()) return;
 	TextError error(missing.empty() ? TextErrorCode::NoOutlines : TextErrorCode::MissingGlyphs);
 	error.hasFallback = fonts.mayFallBack();
-	error.ofFont(fonts.main().name()).codePoints = EachOnce(missing.empty() ? pictures : missing);
+	error.ofFont(fonts.main().name()).codePoints = EachOnce(missing.empty() ? withoutOutline : missing);
 	throw error;
 }
 

@@ -187,8 +187,24 @@ private:
 		}
 		for (const ShapedGlyph& g : item.glyphs) {
 			const std::u32string characters = inked(g.cluster, endOf(g.cluster));
-			if (!characters.empty() && font.isPicture(g.glyph)) m_line.pictures += characters;
+			if (!characters.empty() && font.isPicture(g.glyph)) m_line.withoutOutline += characters;
 		}
+		for (const int cluster : emptyIn(item)) {
+			const std::u32string characters = inked(cluster, endOf(cluster));
+			const auto mayBeEmpty = [&font](char32_t c) { return IsMark(c) || font.nominalHasInk(c); };
+			// a font may draw a sign with its neighbour's glyph and leave its own empty, as those for programmers do
+			if (std::none_of(characters.begin(), characters.end(), mayBeEmpty)) m_line.withoutOutline += characters;
+		}
+	}
+
+	/// Clusters whose glyphs, none of which lacks, leave no ink.
+	std::set<int> emptyIn(const ShapedItem& item) const
+	{
+		std::set<int> empty, others;
+		for (const ShapedGlyph& g : item.glyphs)
+			(g.glyph != 0 && !m_fonts[item.font].hasInk(g.glyph) ? empty : others).insert(g.cluster);
+		for (const int cluster : others) empty.erase(cluster);
+		return empty;
 	}
 
 	/// What to name when a cluster has no glyph: a control character has no ink and yet no glyph either.

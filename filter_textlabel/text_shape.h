@@ -56,7 +56,7 @@ struct ShapedLine {
 	std::vector<ShapedItem> items;  ///< in the order of the text
 	bool rightToLeft = false;       ///< as a paragraph
 	std::u32string missing;         ///< characters that no font of the stack has
-	std::u32string pictures;        ///< characters that the font has as bitmaps or colour layers only
+	std::u32string withoutOutline;  ///< characters that the font has as bitmaps or colour layers only, or empty
 };
 
 struct ShapeOptions {

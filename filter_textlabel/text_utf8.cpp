@@ -117,8 +117,18 @@ bool IsBlank(char32_t c)
 	case HB_UNICODE_GENERAL_CATEGORY_PARAGRAPH_SEPARATOR: return true;
 	default: break;
 	}
-	const bool variationSelector = (c >= 0xFE00 && c <= 0xFE0F) || (c >= 0xE0100 && c <= 0xE01EF) || c == 0x34F;
-	return variationSelector || std::find(std::begin(kFillers), std::end(kFillers), c) != std::end(kFillers);
+	const bool variationSelector = (c >= 0xFE00 && c <= 0xFE0F) || c == 0x34F;
+	// places that Unicode keeps free for characters to ignore
+	const bool ignored = (c >= 0xFFF0 && c <= 0xFFF8) || (c >= 0xE0000 && c <= 0xE0FFF);
+	return variationSelector || ignored || std::find(std::begin(kFillers), std::end(kFillers), c) != std::end(kFillers);
+}
+
+bool IsMark(char32_t c)
+{
+	const auto category = hb_unicode_general_category(hb_unicode_funcs_get_default(), c);
+	return category == HB_UNICODE_GENERAL_CATEGORY_NON_SPACING_MARK ||
+	       category == HB_UNICODE_GENERAL_CATEGORY_SPACING_MARK ||
+	       category == HB_UNICODE_GENERAL_CATEGORY_ENCLOSING_MARK;
 }
 
 }  // namespace textlabel

@@ -21,4 +21,7 @@ std::vector<std::u32string> SplitLines(std::u32string_view text);
 /// Leaves no ink on purpose: spaces, controls, joiners and other characters that Unicode says to ignore by default.
 bool IsBlank(char32_t c);
 
+/// Combining mark, which a font may draw with its letter.
+bool IsMark(char32_t c);
+
 }  // namespace textlabel

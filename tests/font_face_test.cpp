@@ -71,6 +71,77 @@ TEST(FontFace, AFileOfTheBuiltInFontIsTheBuiltInFont)
 	EXPECT_EQ(OutlineToSvg(MakeTextOutline("A43", options)), OutlineToSvg(MakeTextOutline("A43", {})));
 }
 
+std::size_t ReadNumber(const std::string& font, std::size_t at, std::size_t bytes)
+{
+	std::size_t number = 0;
+	for (std::size_t i = 0; i < bytes; ++i) number = number << 8 | static_cast<unsigned char>(font[at + i]);
+	return number;
+}
+
+/// The built-in font with other outlines for some characters.
+/// @param[in] outline  bytes of the glyf table in place of theirs, padded with zeros: nothing = a glyph without contours
+std::string WithGlyphs(const std::u32string& characters, const std::string& outline)
+{
+	std::string font = BuiltIn();
+	const auto table = [&font](const char* tag) { return ReadNumber(font, EntryOf(font, tag) + 8, 4); };
+	const bool isLong = ReadNumber(font, table("head") + 50, 2) != 0;
+	const auto offset = [&](unsigned glyph) {
+		return isLong ? ReadNumber(font, table("loca") + 4 * glyph, 4)
+		              : 2 * ReadNumber(font, table("loca") + 2 * glyph, 2);
+	};
+	const FontFace whole(OpenFontLibrary(), {});
+	for (const char32_t c : characters) {
+		hb_codepoint_t glyph = 0;
+		EXPECT_TRUE(hb_font_get_nominal_glyph(whole.shaper(), c, &glyph));
+		const std::size_t begin = table("glyf") + offset(glyph), length = offset(glyph + 1) - offset(glyph);
+		EXPECT_LE(outline.size(), length);
+		std::string bytes = outline;
+		bytes.resize(length, '\0');
+		font.replace(begin, length, bytes);
+	}
+	return font;
+}
+
+/// The characters that a refusal for want of outlines names.
+std::u32string WithoutOutline(const FontFile& file, const std::string& text)
+{
+	TextOptions options;
+	options.font = file.path();
+	try {
+		MakeTextOutline(text, options);
+	} catch (const TextError& e) {
+		EXPECT_EQ(e.code, TextErrorCode::NoOutlines) << Sentence(e);
+		return {e.codePoints.begin(), e.codePoints.end()};
+	}
+	return {};
+}
+
+TEST(BadFont, WithEmptyLettersNamesThem)
+{
+	const FontFile capitalsOnly(WithGlyphs(U"abc\u0302", {}));
+	EXPECT_EQ(WithoutOutline(capitalsOnly, "A"), U"");
+	EXPECT_EQ(WithoutOutline(capitalsOnly, "AbAca"), U"bca");
+	EXPECT_EQ(WithoutOutline(capitalsOnly, "b"), U"b");
+	EXPECT_EQ(WithoutOutline(capitalsOnly, "A\nb \nA"), U"b");
+	EXPECT_EQ(WithoutOutline(capitalsOnly, "x\u0302A"), U"") << "a mark without ink";
+	EXPECT_EQ(WithoutOutline(capitalsOnly, "A \u00A0\u200E\u00AD\u200B\uFE0F\t\u2060A"), U"")
+		<< "no ink on purpose";
+}
+
+TEST(BadFont, WithLettersOfBareLinesNamesThem)
+{
+	// one contour of two points, (0, 0) and (0, 256), both on the curve, and no instructions
+	const std::string line("\0\1"
+	                       "\0\0\0\0\0\0\1\0"
+	                       "\0\1"
+	                       "\0\0"
+	                       "\1\1"
+	                       "\0\0\0\0"
+	                       "\0\0\1\0",
+	                       24);
+	EXPECT_EQ(WithoutOutline(FontFile(WithGlyphs(U"b", line)), "AbA"), U"b");
+}
+
 TEST(BadFont, IsNamedAsSuch)
 {
 	EXPECT_EQ(CodeWith(FontFile("").path()), TextErrorCode::NotAFont);
