@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include "text_error.h"
 
 namespace textlabel {
 namespace {
@@ -169,7 +170,10 @@ Paths BeadsOf(const Paths& rings, double finest)
 		tree.search(BoxOf(edges[k], static_cast<cInt>(std::ceil(finest))), [&](std::size_t other) {
 			if (other <= k) return;
 			Path bead = welder.capsule(edges[k], edges[other]);
-			if (!bead.empty()) beads.push_back(std::move(bead));
+			if (bead.empty()) return;
+			if (beads.size() == kMostBeads)
+				throw TextError(TextErrorCode::Unsound, "letters come too close to each other too often");
+			beads.push_back(std::move(bead));
 		});
 	}
 	return beads;

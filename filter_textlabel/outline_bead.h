@@ -9,9 +9,13 @@
 
 namespace textlabel {
 
+/// What touches itself more often is rubbish, which would take forever to unite.
+constexpr std::size_t kMostBeads = 50000;
+
 /// Capsules over all places where edges that are not neighbours come closer than `finest`.
 /// @param[in] finest  grid units, >= 2
 /// @return closed rings, counter-clockwise; none when all is well
+/// @throws TextError{Unsound} for more than kMostBeads
 Paths BeadsOf(const Paths& rings, double finest);
 
 }  // namespace textlabel

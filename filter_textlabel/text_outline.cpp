@@ -24,6 +24,8 @@ constexpr double kMostEmbolden = 1;                                   ///< times
 constexpr double kMeasureReach = 2;
 /// Most characters that may be written for kMostLetters: with the breaks, their backslashes, and blanks at lines' ends.
 constexpr std::size_t kMostWritten = 4 * kMostLetters;
+/// Most points of all letters, and most pieces of their curves: a font can have tens of thousands in each glyph.
+constexpr std::size_t kMostPoints = 4000000;
 
 void RequirePositive(double value, const char* what)
 {
@@ -95,7 +97,12 @@ std::vector<ShapedLine> ShapeText(const std::string& utf8, FontStack& fonts, con
 			shapeOptions.features.insert(shapeOptions.features.begin(), f);
 	}
 	std::vector<ShapedLine> shaped;
-	for (const std::u32string& line : lines) shaped.push_back(ShapeLine(line, fonts, shapeOptions));
+	std::size_t glyphs = 0;
+	for (const std::u32string& line : lines) {
+		shaped.push_back(ShapeLine(line, fonts, shapeOptions));
+		for (const ShapedItem& item : shaped.back().items) glyphs += item.glyphs.size();
+		CheckGlyphCount(glyphs);
+	}
 	return shaped;
 }
 
@@ -130,10 +137,29 @@ private:
 	std::map<std::pair<int, unsigned>, std::vector<CurveContour>> m_curves;
 };
 
+/// What a text may take of the memory, in points.
+class Budget {
+public:
+	void spend(std::size_t points)
+	{
+		if (points > m_left)
+			throw TextError(TextErrorCode::Unsound, "it takes more than " + std::to_string(kMostPoints) + " points");
+		m_left -= points;
+	}
+
+private:
+	std::size_t m_left = kMostPoints;
+};
+
 vcg::Box2d InkBox(const std::vector<PlacedGlyph>& placed, const Affine& form, Glyphs& glyphs)
 {
 	vcg::Box2d box;
-	for (const PlacedGlyph& g : placed) box.Add(BoxOf(Mapped(glyphs(g), g.place.after(form))));
+	Budget budget;
+	for (const PlacedGlyph& g : placed) {
+		const std::vector<CurveContour>& curves = glyphs(g);
+		for (const CurveContour& contour : curves) budget.spend(contour.size());
+		box.Add(BoxOf(Mapped(curves, g.place.after(form))));
+	}
 	return box;
 }
 
@@ -182,15 +208,19 @@ std::vector<LetterRings> RingsOf(const std::vector<PlacedGlyph>& placed, const A
 {
 	std::map<std::pair<int, unsigned>, std::vector<Ring>> flat;
 	std::map<int, std::vector<Ring>> ofLetter;
+	Budget budget;
 	for (const PlacedGlyph& g : placed) {
 		const auto [it, isNew] = flat.try_emplace({g.font, g.glyph});
 		if (isNew) {
-			for (const CurveContour& contour : Mapped(glyphs(g), form))
+			for (const CurveContour& contour : Mapped(glyphs(g), form)) {
 				it->second.push_back(Flatten(contour, tolerance));
+				budget.spend(it->second.back().size());
+			}
 		}
 		const Affine map = last.after(g.place);
 		for (const Ring& ring : it->second) {
 			if (ring.empty()) continue;
+			budget.spend(ring.size());
 			Ring& moved = ofLetter[g.letter].emplace_back(ring);
 			std::transform(moved.begin(), moved.end(), moved.begin(), map);
 		}

@@ -96,7 +96,7 @@ private:
 		return items;
 	}
 
-	void shape(ShapedItem& item) const
+	void shape(ShapedItem& item)
 	{
 		const FontFace& font = m_fonts[item.font];
 		const Buffer buffer(hb_buffer_create(), hb_buffer_destroy);
@@ -113,6 +113,7 @@ private:
 		if (!hb_buffer_allocation_successful(buffer.get())) throw std::bad_alloc();
 		unsigned count = 0;
 		const hb_glyph_info_t* infos = hb_buffer_get_glyph_infos(buffer.get(), &count);
+		CheckGlyphCount(m_glyphs += count);
 		const hb_glyph_position_t* positions = hb_buffer_get_glyph_positions(buffer.get(), &count);
 		const double em = font.shaperUnits();
 		item.glyphs.clear();
@@ -218,6 +219,7 @@ private:
 	FontStack& m_fonts;
 	const ShapeOptions& m_options;
 	ShapedLine m_line;
+	std::size_t m_glyphs = 0;  ///< shaped so far
 };
 
 }  // namespace
@@ -242,6 +244,11 @@ int FontStack::fallbackFor(const std::u32string& characters)
 	if (!hasAll(*face)) return -1;
 	m_fonts.push_back(std::move(face));
 	return size() - 1;
+}
+
+void CheckGlyphCount(std::size_t glyphs)
+{
+	if (glyphs > kMostGlyphs) throw TextError(TextErrorCode::Unsound, "the font makes too many glyphs of it");
 }
 
 std::vector<hb_feature_t> ParseFeatures(const std::string& text)

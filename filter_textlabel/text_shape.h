@@ -64,11 +64,18 @@ struct ShapeOptions {
 	std::vector<hb_feature_t> features;
 };
 
+/// Most glyphs of a text: some for each letter. A font can make thousands of one.
+constexpr std::size_t kMostGlyphs = 500000;
+
+/// @throws TextError{Unsound} for more than kMostGlyphs
+void CheckGlyphCount(std::size_t glyphs);
+
 /// @throws TextError{BadFeature}
 std::vector<hb_feature_t> ParseFeatures(const std::string& text);
 
 /// Shape one line. What cannot be shown is listed in the result.
 /// @throws TextError{NotAFont} for a broken glyph
+/// @throws TextError{Unsound} for more than kMostGlyphs
 ShapedLine ShapeLine(const std::u32string& text, FontStack& fonts, const ShapeOptions& options);
 
 }  // namespace textlabel

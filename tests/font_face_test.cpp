@@ -124,8 +124,7 @@ TEST(BadFont, WithEmptyLettersNamesThem)
 	EXPECT_EQ(WithoutOutline(capitalsOnly, "b"), U"b");
 	EXPECT_EQ(WithoutOutline(capitalsOnly, "A\nb \nA"), U"b");
 	EXPECT_EQ(WithoutOutline(capitalsOnly, "x\u0302A"), U"") << "a mark without ink";
-	EXPECT_EQ(WithoutOutline(capitalsOnly, "A \u00A0\u200E\u00AD\u200B\uFE0F\t\u2060A"), U"")
-		<< "no ink on purpose";
+	EXPECT_EQ(WithoutOutline(capitalsOnly, "A \u00A0\u200E\u00AD\u200B\uFE0F\t\u2060A"), U"") << "no ink on purpose";
 }
 
 TEST(BadFont, WithLettersOfBareLinesNamesThem)
@@ -140,6 +139,54 @@ TEST(BadFont, WithLettersOfBareLinesNamesThem)
 	                       "\0\0\1\0",
 	                       24);
 	EXPECT_EQ(WithoutOutline(FontFile(WithGlyphs(U"b", line)), "AbA"), U"b");
+}
+
+/// A number of two bytes, as fonts have it.
+std::string Short(std::size_t number)
+{
+	return {static_cast<char>(number >> 8 & 0xFF), static_cast<char>(number & 0xFF)};
+}
+
+/// The built-in font with a substitution, always on, of one character by many of it.
+std::string WithMultiplied(char32_t c, std::size_t times)
+{
+	hb_codepoint_t glyph = 0;
+	EXPECT_TRUE(hb_font_get_nominal_glyph(FontFace(OpenFontLibrary(), {}).shaper(), c, &glyph));
+	const std::string scripts =
+		Short(1) + "DFLT" + Short(8) + Short(4) + Short(0) + Short(0) + Short(0xFFFF) + Short(1) + Short(0);
+	const std::string features = Short(1) + "ccmp" + Short(8) + Short(0) + Short(1) + Short(0);
+	const std::string coverage = Short(1) + Short(1) + Short(glyph);
+	std::string multiple = Short(1) + Short(8) + Short(1) + Short(8 + coverage.size()) + coverage + Short(times);
+	for (std::size_t i = 0; i < times; ++i) multiple += Short(glyph);
+	const std::string lookups = Short(1) + Short(4) + Short(2) + Short(0) + Short(1) + Short(8) + multiple;
+	const std::size_t header = 10;
+	const std::string table = Short(1) + Short(0) + Short(header) + Short(header + scripts.size()) +
+	                          Short(header + scripts.size() + features.size()) + scripts + features + lookups;
+	std::string font = BuiltIn();
+	font.resize((font.size() + 3) / 4 * 4, '\0');
+	const auto four = [](std::size_t n) { return Short(n >> 16) + Short(n); };
+	font.replace(EntryOf(font, "GSUB") + 8, 8, four(font.size()) + four(table.size()));
+	return font + table;
+}
+
+TEST(BadFont, ThatMakesThousandsOfOneLetterIsRefusedInTime)
+{
+	const FontFile few(WithMultiplied(U'A', 3), "few.ttf"), many(WithMultiplied(U'A', 16000), "many.ttf");
+	TextOptions options;
+	options.font = few.path();
+	EXPECT_EQ(MakeTextOutline("A", options).outline.partCount, 3) << "the substitution works";
+	options.font = many.path();
+	for (const int lines : {25, 5000}) {  // more points than there may be, more glyphs
+		std::string text;
+		for (int i = 0; i < lines; ++i) text += "A\n";
+		try {
+			MakeTextOutline(text, options);
+			ADD_FAILURE() << lines;
+		} catch (const TextError& e) {
+			EXPECT_EQ(e.code, TextErrorCode::Unsound);
+			EXPECT_NE(e.detail.find(lines == 25 ? "points" : "glyphs"), std::string::npos) << e.detail;
+		}
+	}
 }
 
 TEST(BadFont, IsNamedAsSuch)

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <gtest/gtest.h>
 #include <random>
+#include "outline_bead.h"
 #include "outline_curve.h"
 #include "text_error.h"
 #include "text_support.h"
@@ -186,6 +187,15 @@ TEST(UniteLetters, RefusesWhatCrossesItselfWithoutEnd)
 	Ring tangle;
 	for (int i = 0; i < 3000; ++i) tangle.push_back({double(random() % 1000000), double(random() % 1000000)});
 	EXPECT_THROW(UniteLetters({{0, {tangle}}}, {1, 0}), TextError);
+}
+
+TEST(UniteLetters, RefusesWhatComesTooCloseWithoutEnd)
+{
+	Paths pile;
+	for (cInt i = 0; i < 200; ++i) pile.push_back({{i, 0}, {1000 + i, 0}, {i, 1000}});
+	EXPECT_THROW(BeadsOf(pile, 8), TextError) << "200 times 200 triangles meet in places enough";
+	pile.resize(10);
+	EXPECT_GT(BeadsOf(pile, 8).size(), 45u);
 }
 
 TEST(UniteLetters, RefusesAToleranceBelowTheGrid)

@@ -435,6 +435,9 @@ TEST(TextErrors, OfTheText)
 	EXPECT_EQ(CodeOf(std::string(20000, '\n') + "x"), TextErrorCode::TextTooLong);
 	EXPECT_EQ(ErrorOf("x" + std::string(100000, ' '), options).value, 100001)
 		<< "counted before anything is made of it";
+	options.tolerance = 2e-6 * options.size;
+	EXPECT_NE(ErrorOf(std::string(9999, '8'), options).detail.find("points"), std::string::npos)
+		<< "for all to be held";
 	EXPECT_EQ(CodeOf("a\x07z"), TextErrorCode::MissingGlyphs);
 	EXPECT_EQ(CodeOf(std::string("a\0z", 3)), TextErrorCode::MissingGlyphs);
 }
