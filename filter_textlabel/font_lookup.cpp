@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <fontconfig/fontconfig.h>
 #include <memory>
+#include <optional>
 #include <sstream>
 #include "text_error.h"
 
@@ -190,7 +191,8 @@ FontSource FindFont(const FontRequest& request)
 	return source;
 }
 
-std::optional<FontSource> FindFallback(const std::u32string& characters, const FontRequest& request)
+bool FindFallback(const std::u32string& characters, const FontRequest& request,
+                  const std::function<bool(FontSource)>& take)
 {
 	const Pattern pattern = PatternFor(request);
 	const CharSet set(FcCharSetCreate(), FcCharSetDestroy);
@@ -203,9 +205,12 @@ std::optional<FontSource> FindFallback(const std::u32string& characters, const F
 		FcPattern* candidate = fonts->fonts[i];
 		if (!IsTrue(candidate, FC_OUTLINE) || IsTrue(candidate, FC_COLOR) || !HasAll(candidate, characters)) continue;
 		const Pattern font(FcFontRenderPrepare(nullptr, pattern.get(), candidate), FcPatternDestroy);
-		return SourceOf(font.get(), {});
+		try {
+			if (take(SourceOf(font.get(), {}))) return true;
+		} catch (const TextError&) {  // a broken file is no reason not to take the next
+		}
 	}
-	return std::nullopt;
+	return false;
 }
 
 }  // namespace textlabel

@@ -1,7 +1,7 @@
 #pragma once
 // From a font's name to its file, by Fontconfig.
 
-#include <optional>
+#include <functional>
 #include <string>
 #include "font_source.h"
 
@@ -13,7 +13,11 @@ namespace textlabel {
 /// @throws TextError{FontNotFound, FontSubstituted, NotAFont, BadAxis}
 FontSource FindFont(const FontRequest& request);
 
-/// An installed outline font that has all the characters, as close as Fontconfig can to what was asked for.
-std::optional<FontSource> FindFallback(const std::u32string& characters, const FontRequest& request);
+/// Look for an installed outline font that has all the characters, as close as Fontconfig can to what was asked for.
+/// @param[in] take  given one font after the other, the closest first, until it returns true. Those that cannot be read,
+///                  for which it throws a TextError, are passed over.
+/// @return was one taken?
+bool FindFallback(const std::u32string& characters, const FontRequest& request,
+                  const std::function<bool(FontSource)>& take);
 
 }  // namespace textlabel

@@ -73,6 +73,8 @@ struct Cluster {
 	double advance;          ///< label units
 	double spacing;          ///< blank after it
 	double x;                ///< from the left end of the line
+
+	int first() const { return item->glyphs[begin].cluster; }  ///< its first character
 };
 
 /// One line with its clusters at their places.
@@ -90,9 +92,10 @@ public:
 		std::vector<SetLine> segments;
 		std::vector<double> starts;
 		double at = 0;
+		const std::vector<int> letters = LetterStarts(line);
 		for (const Items& items : segmentsOf(line)) {
 			starts.push_back(at);
-			segments.push_back(setSegment(items));
+			segments.push_back(setSegment(items, line.text, letters));
 			at = nextTab(at + segments.back().width);
 		}
 		SetLine result;
@@ -126,17 +129,29 @@ private:
 		return segments;
 	}
 
-	SetLine setSegment(const Items& items) const
+	/// @param[in] letters  first characters of the line's letters, ascending
+	SetLine setSegment(const Items& items, const std::u32string& text, const std::vector<int>& letters) const
 	{
 		SetLine segment;
 		for (const ShapedItem* item : items) addClusters(*item, segment.clusters);
 		double x = 0;
 		for (Cluster& cluster : segment.clusters) {
+			const bool isHidden = cluster.advance == 0 && IsHidden(cluster.first(), text, letters);
+			if (isHidden) cluster.spacing = 0;
 			cluster.x = x;
-			x += cluster.advance + cluster.spacing;
+			x += cluster.advance;
+			if (!isHidden) segment.width = x;
+			x += cluster.spacing;
 		}
-		segment.width = segment.clusters.empty() ? 0 : x - segment.clusters.back().spacing;
 		return segment;
+	}
+
+	/// Are all characters of a letter such as leave no ink?
+	static bool IsHidden(int first, const std::u32string& text, const std::vector<int>& letters)
+	{
+		const auto next = std::upper_bound(letters.begin(), letters.end(), first);
+		const auto begin = text.begin() + first, end = next == letters.end() ? text.end() : text.begin() + *next;
+		return std::all_of(begin, end, IsBlank);
 	}
 
 	void addClusters(const ShapedItem& item, std::vector<Cluster>& clusters) const
@@ -220,7 +235,7 @@ std::vector<PlacedGlyph> Layout(const std::vector<ShapedLine>& lines, const Font
 		const double start = LineStart(options.align, line.width);
 		for (const Cluster& cluster : line.clusters) {
 			const Affine place = ClusterPlace(start + cluster.x + cluster.advance / 2, baseline, options.arcRadius);
-			const int letter = letters.at({k, cluster.item->glyphs[cluster.begin].cluster});
+			const int letter = letters.at({k, cluster.first()});
 			AddGlyphs(cluster, letter, place, form, placed);
 		}
 	}

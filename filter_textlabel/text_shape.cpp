@@ -238,12 +238,16 @@ int FontStack::fallbackFor(const std::u32string& characters)
 	for (int i = 1; i < size(); ++i) {
 		if (hasAll((*this)[i])) return i;
 	}
-	auto source = FindFallback(characters, m_request);
-	if (!source) return -1;
-	auto face = std::make_unique<FontFace>(m_library, *std::move(source));
-	if (!hasAll(*face)) return -1;
-	m_fonts.push_back(std::move(face));
-	return size() - 1;
+	if (m_hopeless.count(characters)) return -1;
+	const bool isFound = FindFallback(characters, m_request, [&](FontSource source) {
+		auto face = std::make_unique<FontFace>(m_library, std::move(source));
+		if (!hasAll(*face)) return false;
+		m_fonts.push_back(std::move(face));
+		return true;
+	});
+	if (isFound) return size() - 1;
+	m_hopeless.insert(characters);
+	return -1;
 }
 
 void CheckGlyphCount(std::size_t glyphs)

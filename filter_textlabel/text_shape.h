@@ -5,6 +5,7 @@
 // script and one font, and HarfBuzz shapes each of them in the sight of its neighbours.
 
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 #include "font_face.h"
@@ -31,6 +32,7 @@ private:
 	FontRequest m_request;
 	bool m_fallback;
 	std::vector<std::unique_ptr<FontFace>> m_fonts;
+	std::set<std::u32string> m_hopeless;  ///< what no installed font has, not to search for it again
 };
 
 /// One glyph at its place in an item; lengths in em.

@@ -81,6 +81,24 @@ TEST(FindFont, NeverTakesASubstituteInSilence)
 	EXPECT_NE(Found("sans-serif").substr(0, 9), "instead: ") << "which stands for any";
 }
 
+TEST(FindFallback, GoesOnToTheNextFont)
+{
+	std::vector<std::string> tried;
+	const auto take = [&tried](const FontSource& source) {
+		tried.push_back(source.name + "#" + std::to_string(source.face));
+		if (tried.size() == 1) throw TextError(TextErrorCode::NotAFont);
+		return tried.size() == 3;
+	};
+	const bool isFound = FindFallback(U"A", ParseFontRequest("sans-serif"), take);
+	if (tried.empty()) GTEST_SKIP() << "no font is installed";
+	EXPECT_EQ(isFound, tried.size() == 3) << "with one that is broken and one that will not do";
+	if (tried.size() < 3) GTEST_SKIP() << "only " << tried.size() << " fonts are installed";
+	EXPECT_NE(tried[0], tried[1]);
+	EXPECT_NE(tried[1], tried[2]);
+	EXPECT_FALSE(FindFallback(U"A\U0010FFFD", ParseFontRequest("sans-serif"), take));
+	EXPECT_EQ(tried.size(), 3u) << "none has both";
+}
+
 TEST(FindFont, ByAxisOfAVariableFont)
 {
 	SKIP_WITHOUT("Inter:wght=650");

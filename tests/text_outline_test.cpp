@@ -3,6 +3,7 @@
 
 #include "text_outline.h"
 
+#include <chrono>
 #include <clocale>
 #include <cmath>
 #include <cstdlib>
@@ -13,6 +14,7 @@
 #include <thread>
 #include <unistd.h>
 #include "text_support.h"
+#include "text_utf8.h"
 
 using namespace textlabel;
 using text_support::FlawOf;
@@ -156,6 +158,27 @@ TEST(TextOutline, LetterSpacingAddsBetweenLettersOnly)
 {
 	const auto width = [](double s) { return Width(Made("HHH", [s](TextOptions& o) { o.letterSpacing = s; })); };
 	EXPECT_NEAR(width(0.5) - width(0), 2 * 0.5 * 10, 1e-6);
+}
+
+TEST(TextOutline, LetterSpacingDoesNotCountWhatIsInvisible)
+{
+	const auto spaced = [](const std::string& text) {
+		return Made(text, [](TextOptions& o) { o.letterSpacing = 0.5, o.align = Align::Left; });
+	};
+	const double width = Width(spaced("HH"));
+	for (const char* hidden : {"\u200E", "\u00AD", "\u200B", "\u2060\uFEFF"}) {
+		EXPECT_NEAR(Width(spaced("H" + std::string(hidden) + "H")), width, 1e-6)
+			<< CodePointName(DecodeUtf8(hidden)[0]);
+		EXPECT_NEAR(Width(spaced(hidden + std::string("HH") + hidden)), width, 1e-6);
+		const TextOutline right = Made("HHHH\nH" + std::string(hidden),
+		                               [](TextOptions& o) { o.letterSpacing = 0.5, o.align = Align::Right; });
+		double lower = -1e9;
+		for (const Contour& c : right.outline.contours) {
+			for (const Point2d& p : c.points) lower = std::max(lower, c.letter == 4 ? p[0] : lower);
+		}
+		EXPECT_NEAR(lower, right.boxMax[0], 1e-6) << "at the end, too";
+	}
+	EXPECT_GT(Width(spaced("H H")), width + 5) << "a blank is a letter";
 }
 
 TEST(TextOutline, LetterSpacingUndoesLigatures)
@@ -415,6 +438,22 @@ TEST(TextOutline, FallsBackOnlyWhenAsked)
 	EXPECT_EQ(FlawOf(t.outline), "");
 	EXPECT_EQ(t.fonts.size(), 2u);
 	EXPECT_TRUE(ErrorOf("\U0010FFFD", options).hasFallback);
+}
+
+TEST(TextOutline, LooksForAFallbackOnce)
+{
+	const auto seconds = [](int count) {
+		TextOptions options;
+		options.fallbackFonts = true;
+		std::string text;
+		for (int i = 0; i < count; ++i) text += "\U0010FFFD";
+		const auto start = std::chrono::steady_clock::now();
+		EXPECT_EQ(ErrorOf(text, options).codePoints.size(), 1u);
+		return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+	};
+	seconds(1);  // Fontconfig reads its files
+	const double once = seconds(1);
+	EXPECT_LT(seconds(1000), 100 * (once + 1e-3)) << "and not for each of the thousand";
 }
 
 TEST(TextOutline, PicturesOfGlyphsAreNoOutlines)
