@@ -16,22 +16,41 @@ struct Edge {
 	Point2d outward;  ///< unit normal: the inside is to the left of a contour
 	int letter;
 	std::size_t first, count;  ///< range of the contour's edges
+	bool isFirstHalf;          ///< of a side; it ends in the middle
 };
 
+/// An edge that is so many times as long as its neighbour is no chord of the same curve.
+constexpr double kMuchLonger = 2;
 /// A pocket with less area than this share of width times depth is a taper: a triangle has one half.
 constexpr double kTaper = 0.6;
 /// A taper has no more corners than this.
 constexpr std::size_t kMostTaperCorners = 64;
 
+/// Is an edge, from a to b, a side by itself and not a chord of a curve: does a corner end it, or a much shorter edge?
+bool IsSide(const Point2d& before, const Point2d& a, const Point2d& b, const Point2d& after)
+{
+	const Point2d in = a - before, along = b - a, out = after - b;
+	const double length = along.Norm(), first = in.Norm(), last = out.Norm(), least = std::cos(kFacing);
+	return in * along < least * first * length || along * out < least * length * last ||
+	       length > kMuchLonger * std::min(first, last);
+}
+
+/// The edges of the contours; sides as two halves, to look from their middles, too: a bar whose ends are oblique or
+/// pointed looks like a taper from its own corners.
 std::vector<Edge> EdgesOf(const Outline& outline)
 {
 	std::vector<Edge> edges;
 	for (const vcg::textlabel::Contour& contour : outline.contours) {
 		const std::size_t first = edges.size(), n = contour.points.size();
+		const auto at = [&contour, n](std::size_t i) { return contour.points[i % n]; };
 		for (std::size_t i = 0; i < n; ++i) {
-			const Point2d a = contour.points[i], b = contour.points[(i + 1) % n], d = b - a;
-			edges.push_back({a, b, Point2d(d[1], -d[0]) / d.Norm(), contour.letter, first, n});
+			const Point2d a = at(i), b = at(i + 1), d = b - a, outward = Point2d(d[1], -d[0]) / d.Norm();
+			const bool isSide = IsSide(at(i + n - 1), a, b, at(i + 2));
+			const Point2d middle = isSide ? a + d / 2 : b;
+			edges.push_back({a, middle, outward, contour.letter, first, 0, isSide});
+			if (isSide) edges.push_back({middle, b, outward, contour.letter, first, 0, false});
 		}
+		for (std::size_t i = first; i < edges.size(); ++i) edges[i].count = edges.size() - first;
 	}
 	return edges;
 }
@@ -85,9 +104,13 @@ public:
 
 	std::vector<LetterWidths> measured()
 	{
-		for (std::size_t i = 0; i < m_edges.size(); ++i) {
-			searchFrom(i, +1, &LetterWidths::stroke);
-			searchFrom(i, -1, &LetterWidths::gap);
+		// from the middles last: few are nearer to anything than the corners, so that they need not look far
+		for (const bool fromMiddles : {false, true}) {
+			for (std::size_t i = 0; i < m_edges.size(); ++i) {
+				if (m_edges[i].isFirstHalf != fromMiddles) continue;
+				searchFrom(i, +1, &LetterWidths::stroke);
+				searchFrom(i, -1, &LetterWidths::gap);
+			}
 		}
 		return m_widths;
 	}

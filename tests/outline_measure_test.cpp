@@ -41,6 +41,22 @@ TEST(Widths, OfABar)
 	}
 }
 
+TEST(Widths, OfABarWithObliqueOrPointedEnds)
+{
+	for (const double angle : {0.0, 0.3, 1.2}) {
+		for (const double lean : {0.5, 1.0, 3.0, -3.0}) {
+			const Ring oblique{{0, 0}, {10, 0}, {10 + lean, 2}, {lean, 2}};
+			EXPECT_NEAR(WidthsOf({Turned(oblique, angle)}).stroke, 2, 1e-5) << lean;
+		}
+		const Ring pointed{{0, 0}, {1, -1}, {9, -1}, {10, 0}, {9, 1}, {1, 1}};
+		EXPECT_NEAR(WidthsOf({Turned(pointed, angle)}).stroke, 2, 1e-5);
+		const Ring rounded{{0.1, 0}, {9.9, 0}, {10.1, 0.1}, {12.9, 1.9}, {12.9, 2}, {3.1, 2}, {2.9, 1.9}, {0.1, 0.1}};
+		EXPECT_NEAR(WidthsOf({Turned(rounded, angle)}).stroke, 2, 1e-5);
+		const Ring slot = Hole(pointed);
+		EXPECT_NEAR(WidthsOf({Turned(Box(-5, -5, 15, 5), angle), Turned(slot, angle)}).gap, 2, 1e-5);
+	}
+}
+
 TEST(Widths, OfAFrameWithUnequalSides)
 {
 	const LetterWidths w = WidthsOf({Box(0, 0, 10, 10), Hole(Box(1, 2, 7, 5.5))});

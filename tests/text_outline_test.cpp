@@ -323,6 +323,17 @@ TEST(TextOutline, MeasuresStrokesAndGaps)
 	EXPECT_NEAR(bold.thinnestStroke.width, i.thinnestStroke.width + 0.2, 1e-5);
 }
 
+TEST(TextOutline, ASlantedStemIsMeasuredAcross)
+{
+	const double upright = Made("I").thinnestStroke.width;
+	for (const double slant : {5.0, 15.0, 25.0, 40.0, -25.0}) {
+		const double expected = upright * std::cos(slant * 3.14159265358979 / 180);
+		EXPECT_NEAR(Made("I", [slant](TextOptions& o) { o.slant = slant; }).thinnestStroke.width, expected, 1e-5)
+			<< slant;
+	}
+	EXPECT_EQ(CodeOf("I", [](TextOptions& o) { o.slant = 25, o.minStroke = 5; }), TextErrorCode::TooThin);
+}
+
 TEST(TextOutline, TooThinNamesLettersAndTheSizeThatDoes)
 {
 	TextOptions options;
