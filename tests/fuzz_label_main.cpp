@@ -84,6 +84,7 @@ const char* CodeName(ErrorCode code)
 	                                 "NotTriangles", "TooLarge",    "OffSurface", "FacesAway",    "Border",
 	                                 "Silhouette",   "NonManifold", "Occluded",   "BehindCamera", "Grazing",
 	                                 "TooFine",      "HitsSurface", "HitsItself", "Cancelled",    "OutOfMemory"};
+	static_assert(std::size(names) == size_t(ErrorCode::OutOfMemory) + 1);
 	return names[int(code)];
 }
 
