@@ -73,6 +73,14 @@ struct TightMesh {
 		second = Allocator::template AddPerVertexAttribute<double>(mesh, "second");
 		third = Allocator::template AddPerFaceAttribute<double>(mesh, "third");
 	}
+	~TightMesh()  // a mesh does not free them
+	{
+		Allocator::DeletePerVertexAttribute(mesh, first);
+		Allocator::DeletePerVertexAttribute(mesh, second);
+		Allocator::DeletePerFaceAttribute(mesh, third);
+	}
+	TightMesh(const TightMesh&) = delete;
+	TightMesh& operator=(const TightMesh&) = delete;
 	bool attributesFit() const
 	{
 		return first._handle->data.size() == mesh.vert.size() && second._handle->data.size() == mesh.vert.size() &&
