@@ -193,15 +193,4 @@ bool OfferPlaces(const PlaceQuery& query, const std::function<bool(const Place&)
 	       OfferPlaces(query, part, ThoroughEffort(query, part), accept, places);
 }
 
-std::vector<Place> FindPlaces(const PlaceQuery& query)
-{
-	const Part part = MakePart(query.positions, query.triangles);
-	std::vector<Place> places;
-	if (!IsQueryUsable(query) || part.faces.empty()) return places;
-	const auto wantMore = [](const Place&) { return false; };
-	OfferPlaces(query, part, quickEffort, wantMore, places);
-	if (places.empty()) OfferPlaces(query, part, ThoroughEffort(query, part), wantMore, places);
-	return places;
-}
-
 }  // namespace textlabel

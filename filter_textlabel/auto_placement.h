@@ -45,7 +45,4 @@ struct Place {
 /// Deterministic; time linear in the number of triangles, and none is spent on places that nobody asks for.
 bool OfferPlaces(const PlaceQuery& query, const std::function<bool(const Place&)>& accept);
 
-/// The first few places that OfferPlaces would offer.
-std::vector<Place> FindPlaces(const PlaceQuery& query);
-
 }  // namespace textlabel

@@ -25,8 +25,8 @@ void AddFilterParameters(const MeshModel& model, RichParameterList& list);
 /// What a host offers.
 struct FilterHost {
 	std::function<void(const std::string&)> log;  ///< takes one message
-	std::function<void(const LabelRequest& used)>
-		noteUsedView{};  ///< may be null: the view in the window that was used
+	/// May be null: told the request once more where it was for the view in the window, with the camera that was found there.
+	std::function<void(const LabelRequest& used)> noteUsedView{};
 };
 
 struct FilterOutcome {

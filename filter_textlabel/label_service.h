@@ -91,7 +91,7 @@ LabelReport LabelJob<MeshType>::run(const LabelRequest& asked)
 	StageClock clock;
 	const PartBoxes boxes = BoxesOf(m_, toWorld_);
 	box_ = boxes.world;
-	vcg::textlabel::detail::RequireCountable(m_.vert.size(), m_.face.size());
+	vcg::textlabel::RequireCountable(m_.vert.size(), m_.face.size());
 	if (m_.FN() == 0 || box_.IsNull()) throw RequestError(RequestProblem::EmptyPart);
 	CheckRequest(request, box_);
 	constexpr int countedUpTo =

@@ -59,7 +59,7 @@ TEST_P(RealPart, EveryPlaceShowsASmoothFront)
 	PlaceQuery query{part.positions, part.triangles};
 	query.labelWidth = 2.3;
 	query.labelHeight = 1;
-	const std::vector<Place> places = FindPlaces(query);
+	const std::vector<Place> places = FirstPlaces(query);
 	ASSERT_FALSE(places.empty());
 	for (const Place& place : places) {
 		SCOPED_TRACE(testing::Message() << "place " << &place - places.data());

@@ -25,7 +25,7 @@ std::vector<Place> Find(const Triangles& part, const Text& text = {})
 	query.size = text.size;
 	query.depth = text.depth;
 	query.up = text.up;
-	return FindPlaces(query);
+	return FirstPlaces(query);
 }
 
 Point3d Right(const Place& place) { return place.up ^ place.direction; }
@@ -337,8 +337,8 @@ TEST(AutoPlacement, OffersUntilOneIsTaken)
 	PlaceQuery query{part.positions, part.triangles};
 	query.labelWidth = 2.3;
 	query.labelHeight = 1;
-	const std::vector<Place> places = FindPlaces(query);
-	ASSERT_GE(places.size(), 2u);
+	const std::vector<Place> places = FirstPlaces(query);
+	ASSERT_GE(places.size(), 3u);
 	std::vector<Place> offered;
 	EXPECT_TRUE(OfferPlaces(query, [&](const Place& place) {
 		offered.push_back(place);

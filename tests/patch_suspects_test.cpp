@@ -105,4 +105,26 @@ TEST(Suspects, SheetsThatNearlyTouchAreLookedAt)
 	          CheckPatch(e.space, e.sheet, patch, position).fault);
 }
 
+// What is beside an edge by less than coordinates move is not plainly apart from it; neighbours at an edge are.
+TEST(Suspects, NearlyBesideIsNotPlainlyApart)
+{
+	const double slack = 0.01;
+	const auto apart = [&](double beside) {
+		Shape two;  // one triangle, and one of another piece to the right of its slanted edge
+		two.add({0, 0, 0}), two.add({8, 0, 0}), two.add({4, 6, 0});
+		const double length = std::hypot(4, 6);
+		const Point3d away = Point3d(6, 4, 0) * (beside / length);
+		two.add(Point3d(8, 0, 0) + away), two.add(Point3d(12, 3, 0) + away), two.add(Point3d(4, 6, 0) + away);
+		two.faces = {{0, 1, 2}, {3, 4, 5}};
+		const LabelSpace space(FromAbove());
+		return vcg::textlabel::detail::ArePlainlyApart(CandidatesOf(two, space, 20, 20), 0, 1, slack);
+	};
+	EXPECT_TRUE(apart(2 * slack));
+	EXPECT_FALSE(apart(0.5 * slack));
+	EXPECT_FALSE(apart(-0.5 * slack));
+	const LabelSpace space(FromAbove());
+	const Sheet sheet = CandidatesOf(test_mesh::Slab(2, 2, 1, 1, 1), space, 2, 2);
+	EXPECT_TRUE(vcg::textlabel::detail::ArePlainlyApart(sheet, 0, 1, slack)) << "the two halves of a square";
+}
+
 }  // namespace

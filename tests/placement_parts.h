@@ -1,6 +1,8 @@
 #pragma once
 // Parts for the tests of automatic placement: block parts whose inside is known cell by cell, and round parts in closed form.
 
+#include "filter_textlabel/auto_placement.h"
+
 #include <array>
 #include <cmath>
 #include <functional>
@@ -11,6 +13,17 @@
 namespace textlabel::test {
 
 using vcg::Point3d;
+
+/// The first places that are offered, at most so many.
+inline std::vector<Place> FirstPlaces(const PlaceQuery& query, size_t most = 3)
+{
+	std::vector<Place> places;
+	OfferPlaces(query, [&](const Place& place) {
+		places.push_back(place);
+		return places.size() == most;
+	});
+	return places;
+}
 
 struct Triangles {
 	std::vector<Point3d> positions;

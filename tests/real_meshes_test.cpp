@@ -151,7 +151,7 @@ Attempt LabelSomewhere(MeshType& m, const Shape& part, const Text& text, double 
 	query.labelHeight = text.height();
 	const Point2d middle = (text.outline.boxMin + text.outline.boxMax) / 2;
 	Attempt attempt;
-	for (const textlabel::Place& place : textlabel::FindPlaces(query)) {
+	const bool isMade = textlabel::OfferPlaces(query, [&](const textlabel::Place& place) {
 		LabelOptions options;
 		options.height = attempt.height = std::max(depth * place.size, -place.wall / 2);
 		const Outline outline =
@@ -159,13 +159,14 @@ Attempt LabelSomewhere(MeshType& m, const Shape& part, const Text& text, double 
 		try {
 			attempt.result =
 				LabelMesh(m, outline, FrameFromDirection(place.position, place.direction, place.up), options);
-			attempt.refused.clear();
-			return attempt;
+			return true;
 		} catch (const Error& e) {
 			attempt.refused += std::string(e.what()) + " (code " + std::to_string(int(e.code)) + ")\n";
+			return false;
 		}
-	}
-	if (attempt.refused.empty()) attempt.refused = "no place\n";
+	});
+	if (isMade) attempt.refused.clear();
+	else if (attempt.refused.empty()) attempt.refused = "no place\n";
 	return attempt;
 }
 

@@ -195,4 +195,25 @@ TEST(SpaceWeights, GiveThePointUnderTheProjection)
 	}
 }
 
+TEST(Sheet, KnowsEdgesThatGoOnBehindTheCamera)
+{
+	// strips that rise from z = -30 to 30; those from 18 on reach behind the camera at 20
+	const Shape ramp =
+		test_mesh::Sheet(10, 1, [](int i, int j) { return Point3d(10 * i - 50, 100 * j - 50, 6.0 * i - 30); });
+	const LabelSpace space(FromAbovePerspective(20));
+	Sheet sheet = CandidatesOf(ramp, space, 1000, 1000);
+	ASSERT_EQ(sheet.straddling.size(), 2u);
+	int beside = 0;
+	for (int h = 0; h < int(sheet.twin.size()); ++h) {
+		const double x = sheet.vertices[size_t(sheet.from(h))].mesh[0], y = sheet.vertices[size_t(sheet.to(h))].mesh[0];
+		const bool isLast = x == 30 && y == 30;
+		EXPECT_EQ(sheet.twin[size_t(h)] == vcg::textlabel::BehindCameraEdge, isLast) << x << " " << y;
+		beside += isLast;
+	}
+	EXPECT_EQ(beside, 1);
+	const std::vector<int> twin = sheet.twin;
+	vcg::textlabel::detail::LinkTriangles(sheet);  // as after a flip
+	EXPECT_EQ(sheet.twin, twin);
+}
+
 }  // namespace

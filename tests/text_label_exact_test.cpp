@@ -197,4 +197,21 @@ TEST(OuterEdge, WholeFace)
 	}
 }
 
+// At 1e6 float32 goes in steps of 1/16: a contour beside an edge of the grid is laid on it, and that edge has two faces.
+TEST(CoarseCoordinates, MoveAContourToAnEdge)
+{
+	const Shape far =
+		test_mesh::Slab(120, 60, 8, 120, 60).moved([](const Point3d& p) { return p + Point3d(1e6, 1e6, 0); });
+	LabelFrame frame;
+	frame.origin = {1e6, 1e6, 0};
+	for (const double beside : {0.12, 0.15, 0.2, 0.24}) {
+		test_mesh::FloatMesh m;
+		test_mesh::Fill(m, far);
+		LabelOptions options;
+		options.height = 2;
+		const Outline letter = Letters({Rectangle(-30 + beside, -10.4, 30 - beside, 10.4)});
+		EXPECT_NO_THROW(LabelMesh(m, letter, frame, options)) << beside;
+	}
+}
+
 }  // namespace

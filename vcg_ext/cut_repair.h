@@ -217,8 +217,7 @@ inline bool FlipCaps(Sheet& sheet, const std::vector<int>& triangles, double thi
 			sheet.triangles[size_t(g / 3)].birthFace();  // the cap had no area to show its own
 		for (const int changed : {t, g / 3})
 			sheet.flipped.insert(std::lower_bound(sheet.flipped.begin(), sheet.flipped.end(), changed), changed);
-		detail::PairHalfEdges(sheet);
-		detail::BuildVertexFans(sheet);
+		detail::LinkTriangles(sheet);
 		flipped = true;
 	}
 	return flipped;

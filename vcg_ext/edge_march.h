@@ -8,7 +8,8 @@
 // vertex within `snap` goes through that vertex. The rule is applied along the way and the march goes on from the point where it
 // really is, so what follows is decided (by sign, exactly) about the path that is built and not about the one that was wished for.
 // `snap` is a few units in the last place of the output's coordinates: of float32, 1e8 times the rounding of the arithmetic in
-// doubles. No decision hangs on a rounding error. No vertex of the mesh moves; a contour moves by `snap` at most for each vertex it meets.
+// doubles. No decision hangs on a rounding error. No vertex of the mesh moves; a contour moves by `snap` at most for each vertex
+// it meets.
 
 #include "sheet.h"
 
@@ -54,7 +55,7 @@ public:
 	/// @param[in] points  #P by 2, in the label plane, neighbours further apart than snap
 	/// @param[in] triangle  a facing triangle that holds points[0] (within snap)
 	/// @return nodes and pieces, each piece within one triangle or along one edge
-	/// @throws Error{Border, Silhouette, NonManifold} with the face and the place where the contour leaves the sheet;
+	/// @throws Error{Border, Silhouette, NonManifold, BehindCamera} with the face and the place where the contour leaves the sheet;
 	///         PlacementConflict when it comes back to a place where it has been
 	SheetPath march(const std::vector<vcg::Point2d>& points, int triangle) const;
 

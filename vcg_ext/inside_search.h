@@ -29,7 +29,7 @@ public:
 
 	/// @param[in] side  #R sides of the regions as the walk knows them
 	/// @return #R sides of the regions, then one for each sheet triangle that is not touched; Unknown is outside
-	/// @throws Error{Border, Silhouette, NonManifold} with face and place; PlacementConflict when inside and outside meet
+	/// @throws Error{Border, Silhouette, NonManifold, BehindCamera} with face and place; PlacementConflict when inside and outside meet
 	std::vector<Side> run(std::vector<Side> side);
 
 private:

@@ -27,7 +27,7 @@ public:
 
 	/// @param[in] outline  in the label plane
 	/// @param[in] seeds  #contours: a facing sheet triangle that holds the contour's first point
-	/// @throws Error{Border, Silhouette, NonManifold}, PlacementConflict
+	/// @throws Error{Border, Silhouette, NonManifold, BehindCamera}, PlacementConflict
 	CutLabel cut(const Outline& outline, const std::vector<int>& seeds);
 	/// The triangles that contours cross or touch, as far as they were laid; also when cut() threw.
 	std::vector<int> visited() const { return paths_.visited(); }

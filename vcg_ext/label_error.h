@@ -15,7 +15,7 @@ enum class ErrorCode {
 	EmptyLabel,  ///< no contour at all: empty text, or only blanks
 	BadContour,  ///< a contour that is not simple, not nested or not oriented as promised
 	BadFrame,    ///< non-finite or degenerate frame: direction zero, up parallel to it, camera in the label plane
-	BadHeight,   ///< height NaN, infinite, or larger than the part
+	BadHeight,   ///< not finite, larger than the part, or finer than the coordinates: `value`, `limit`
 	// the mesh
 	EmptyMesh,     ///< no vertex, no face (a point cloud), or no finite face
 	NotTriangles,  ///< polygons marked by faux edges

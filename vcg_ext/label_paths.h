@@ -69,7 +69,7 @@ public:
 
 	/// @param[in] outline  in the label plane
 	/// @param[in] seeds  #contours: a facing sheet triangle that holds the contour's first point
-	/// @throws Error{Border, Silhouette, NonManifold}, PlacementConflict
+	/// @throws Error{Border, Silhouette, NonManifold, BehindCamera}, PlacementConflict
 	void lay(const Outline& outline, const std::vector<int>& seeds);
 	/// When all is cut: give back the memory of what it was cut along; visited() still knows.
 	void forgetChains();

@@ -60,12 +60,8 @@ public:
 	/// @param[in,out] sheet  caps under the letters may be flipped away (cut_repair.h)
 	LabelPlanner(const LabelSpace& space, Sheet& sheet, Precision precision, const LabelOptions& options);
 
-	/// World units: the most that a point of a contour may be moved on these candidates.
-	static double worstResolution(const LabelSpace& space, const Sheet& sheet, Precision precision)
-	{
-		return ((1 + apartSnaps) * snapUlps + shiftUlps * (mostAttempts - 1)) * precision.ulp(sheet.largestCoordinate) *
-		       space.scale();
-	}
+	/// World units: LabelPlan::resolution, if it takes the last attempt.
+	double worstResolution() const { return resolutionAt(mostAttempts - 1); }
 	/// World units: the least width of stroke that the coordinates carry here.
 	double leastStroke() const { return strokeUlps * ulp_; }
 	LabelPlan plan(const Outline& outline);
@@ -76,6 +72,8 @@ private:
 	static constexpr int mostAttempts = 8;
 	static constexpr int bisections = 10;
 
+	/// Snapped, thinned, and shifted once more for each attempt.
+	double resolutionAt(int attempt) const { return ((1 + apartSnaps) * snapUlps + shiftUlps * attempt) * ulp_; }
 	Outline prepared(const Outline& outline, const vcg::Point2d& shift) const;
 	std::vector<vcg::Point2d> thinned(const std::vector<vcg::Point2d>& points) const;
 	void requireSheetSurvives();
@@ -191,7 +189,7 @@ inline LabelPlan LabelPlanner::plan(const Outline& outline)
 		const vcg::Point2d shift = vcg::Point2d(std::cos(golden * i), std::sin(golden * i)) * (shiftUlps * i * ulp_);
 		LabelPlan plan;
 		plan.attempts = i + 1;
-		plan.resolution = (1 + apartSnaps) * snap_ + shift.Norm();  // snapped, and thinned
+		plan.resolution = resolutionAt(i);
 		if (attempt(prepared(outline, shift), i + 1 == mostAttempts, plan, conflict)) return plan;
 		report(10);
 	}

@@ -70,8 +70,8 @@ private:
 	void measureFaces();
 
 	struct Measure {
-		float altitude, sine,
-			slope;  ///< least altitude, sine of the least angle, steepness; a margin covers their rounding
+		// a margin covers their rounding
+		float altitude, sine, slope;  ///< least altitude, sine of the least angle, steepness
 	};
 
 	const LabelSpace& space_;

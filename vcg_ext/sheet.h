@@ -82,7 +82,17 @@ struct SheetTriangle {
 	int birthFace() const { return birth < 0 ? face : birth; }
 };
 
+/// What is across a half-edge when that is no candidate.
 enum HalfEdgeKind : int { BorderEdge = -1, NonManifoldEdge = -2, BehindCameraEdge = -3 };
+
+/// Why a contour or the inside of a letter can't go on over an edge.
+inline ErrorCode CodeOfEdge(int twin)
+{
+	return twin == BorderEdge         ? ErrorCode::Border
+	       : twin == NonManifoldEdge  ? ErrorCode::NonManifold
+	       : twin == BehindCameraEdge ? ErrorCode::BehindCamera
+	                                  : ErrorCode::Silhouette;
+}
 
 /// A triangle that reaches behind the centre of projection: it can't be seen whole, but it can be met.
 struct StraddlingTriangle {
@@ -195,6 +205,14 @@ inline void BuildVertexFans(Sheet& sheet)
 	std::vector<int> next(sheet.vertexStart.begin(), sheet.vertexStart.end() - 1);
 	for (size_t t = 0; t < sheet.triangles.size(); ++t)
 		for (const int v : sheet.triangles[t].vertex) sheet.vertexFan[size_t(next[size_t(v)]++)] = int(t);
+}
+
+/// Half-edges and fans, from the triangles' vertices; again after these have changed.
+inline void LinkTriangles(Sheet& sheet)
+{
+	PairHalfEdges(sheet);
+	MarkStraddlingEdges(sheet);
+	BuildVertexFans(sheet);
 }
 
 /// Codes of vertices are looked through by so many at a time.
@@ -384,15 +402,6 @@ void CollectVertices(const MeshType& m, const LabelSpace& space, const std::vect
 
 }  // namespace detail
 
-/// Why a contour or the inside of a letter can't go on over an edge.
-inline ErrorCode CodeOfEdge(int twin)
-{
-	return twin == BorderEdge         ? ErrorCode::Border
-	       : twin == NonManifoldEdge  ? ErrorCode::NonManifold
-	       : twin == BehindCameraEdge ? ErrorCode::BehindCamera
-	                                  : ErrorCode::Silhouette;
-}
-
 /// Collect the triangles whose projection meets a box of the label plane; one linear pass over vertices and faces.
 /// @param[in] depth  world units: of those that show their backs, what lies whole further behind all that face the viewer is left
 ///                   out; the underside of a part is of no interest to a label on its top
@@ -408,9 +417,7 @@ Sheet CollectSheet(const MeshType& m, const LabelSpace& space, const PlaneBox& b
 	std::vector<std::uint8_t> code = detail::CodeVertices(m, space, box);
 	detail::CollectTriangles(m, space, depth, code, sheet);
 	detail::CollectVertices(m, space, code, sheet);
-	detail::PairHalfEdges(sheet);
-	detail::MarkStraddlingEdges(sheet);
-	detail::BuildVertexFans(sheet);
+	detail::LinkTriangles(sheet);
 	return sheet;
 }
 

@@ -36,8 +36,8 @@ public:
 private:
 	using GluPointer = std::unique_ptr<GLUtesselator, void (*)(GLUtesselator*)>;
 	static constexpr int mostEars = 24;  ///< corners of a ring that is not worth GLU's preparations
-	static constexpr double gain =
-		1e-12;  ///< of a shape, a square: far more than its rounding; less is not worth a flip
+	/// Of a shape, a square: far more than its rounding; less is not worth a flip.
+	static constexpr double gain = 1e-12;
 	void runGlu(const std::vector<vcg::Point2d>& plane, const PolylineSet& rings, int first, int count);
 	void improve(const std::vector<vcg::Point2d>& plane, const std::vector<vcg::Point3d>& space);
 	bool splitQuad(const std::vector<vcg::Point2d>& plane, const std::vector<vcg::Point3d>& space, const int* ring,

@@ -34,6 +34,15 @@ struct LabelResult {
 	bool survivesFloat32 = true;  ///< false: a double mesh whose letters only double coordinates carry
 };
 
+/// Half-edges are numbered with ints, those of a label's new faces too.
+/// @throws Error{TooLarge}
+inline void RequireCountable(size_t vertices, size_t faces)
+{
+	constexpr size_t most = size_t(std::numeric_limits<int>::max()) / 4;
+	if (std::max(vertices, faces) > most)
+		throw Error(ErrorCode::TooLarge).measured(double(std::max(vertices, faces)), double(most));
+}
+
 /// Put a label on a mesh.
 /// @param[in,out] m  triangles; untouched when an Error is thrown
 /// @param[in] outline  simple, disjoint, nested contours in the label plane (contour.h)
@@ -47,14 +56,6 @@ LabelResult LabelMesh(MeshType& m, const Outline& outline, const LabelFrame& fra
 // ---------------------------------------------------------------------------------------------------------------------------
 
 namespace detail {
-
-/// Half-edges are numbered with ints, those of a label's new faces too.
-inline void RequireCountable(size_t vertices, size_t faces)
-{
-	constexpr size_t most = size_t(std::numeric_limits<int>::max()) / 4;
-	if (std::max(vertices, faces) > most)
-		throw Error(ErrorCode::TooLarge).measured(double(std::max(vertices, faces)), double(most));
-}
 
 inline PlaneBox CheckedBox(const Outline& outline)
 {
@@ -143,45 +144,48 @@ struct PlanBox {
 	}
 };
 
-/// @param[in] seesAll  also what shows its back deeper than the label may reach
+/// Plan on the candidates of a box.
+/// @param[in] seesAll  also on what shows its back deeper than the label may reach
 template <class MeshType>
 PlannedLabel PlanInBox(const MeshType& m, const LabelSpace& space, const Outline& outline, PlanBox box,
-                       const LabelOptions& options, bool seesAll)
+                       const LabelOptions& options, bool seesAll, Precision precision)
 {
 	PlannedLabel p;
-	const auto collect = [&] {
+	p.survivesFloat32 = precision.isFloat;
+	for (;;) {
 		const double depth =
 			seesAll ? std::numeric_limits<double>::infinity() : std::abs(options.height) + 2 * box.room;
 		p.sheet = CollectSheet(m, space, box.plane, depth);
-	};
-	collect();
-	// a contour may move to an edge, whose other faces must be there too
-	for (double most; (most = LabelPlanner::worstResolution(space, p.sheet, Precision{true})) > box.room;) {
-		box.grow(2 * most);
-		collect();
+		const double most = LabelPlanner(space, p.sheet, precision, options).worstResolution();
+		if (!(most > box.room)) break;
+		box.grow(2 * most);  // a contour may move to an edge, whose other faces must be there too
 	}
 	if (p.sheet.isEmpty) throw Error(ErrorCode::EmptyMesh, "no face with finite corners");
 	double diagonal = 0;
 	if (ExceedsPart(m, space, p.sheet, std::abs(options.height), diagonal))
 		throw Error(ErrorCode::BadHeight, "larger than the part").measured(std::abs(options.height), diagonal);
-	constexpr bool isDouble = std::is_same_v<typename MeshType::ScalarType, double>;
-	const auto planWith = [&](Precision precision) {
-		p.plan = LabelPlanner(space, p.sheet, precision, options).plan(outline);
-		p.survivesFloat32 = precision.isFloat;
-	};
 	try {
-		try {
-			planWith(Precision{true});
-		} catch (const Error& e) {
-			if (!isDouble || (e.code != ErrorCode::TooFine && e.code != ErrorCode::BadHeight)) throw;
-			collect();
-			planWith(Precision{false});
-		}
+		p.plan = LabelPlanner(space, p.sheet, precision, options).plan(outline);
 	} catch (const Error& e) {
 		if (e.code != ErrorCode::OffSurface || !p.sheet.isShallow) throw;
-		return PlanInBox(m, space, outline, box, options, true);  // or over a back
+		return PlanInBox(m, space, outline, box, options, true, precision);  // or over a back
 	}
 	return p;
+}
+
+/// On float32 coordinates; where these can't carry the label, and the mesh has better ones, on those.
+template <class MeshType>
+PlannedLabel PlanInBox(const MeshType& m, const LabelSpace& space, const Outline& outline, const PlanBox& box,
+                       const LabelOptions& options)
+{
+	constexpr bool isDouble = std::is_same_v<typename MeshType::ScalarType, double>;
+	try {
+		return PlanInBox(m, space, outline, box, options, options.measureRoom, Precision{true});
+	} catch (const Error& e) {
+		const bool isFiner = e.code == ErrorCode::TooFine || (e.code == ErrorCode::BadHeight && e.value <= e.limit);
+		if (!isDouble || !isFiner) throw;
+	}
+	return PlanInBox(m, space, outline, box, options, options.measureRoom, Precision{false});
 }
 
 /// What the label would reach if it were raised by no more than a refusal says will do; empty when that can't be told.
@@ -193,7 +197,7 @@ PlaneBox ReachAtLimit(const MeshType& m, const LabelSpace& space, const Outline&
 	if (!isByHeight || !(refusal.limit > 0)) return {};
 	options.height = std::copysign(refusal.limit, options.height);
 	try {
-		return ReachOf(space, PlanInBox(m, space, outline, box, options, options.measureRoom).plan.patch);
+		return ReachOf(space, PlanInBox(m, space, outline, box, options).plan.patch);
 	} catch (const Error& e) {
 		if (e.code == ErrorCode::Cancelled) throw;
 		return {};
@@ -213,7 +217,7 @@ PlannedLabel PlanOnMesh(const MeshType& m, const LabelSpace& space, const Outlin
 	for (;;) {
 		PlaneBox reach;
 		try {
-			PlannedLabel p = PlanInBox(m, space, outline, box, options, options.measureRoom);
+			PlannedLabel p = PlanInBox(m, space, outline, box, options);
 			reach = ReachOf(space, p.plan.patch);
 			if (staysInSight || box.plane.holds(reach)) return p;
 		} catch (const Error& e) {
