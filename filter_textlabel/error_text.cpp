@@ -229,7 +229,7 @@ std::string ErrorText(const RequestError& error)
 		           : "No place on the part holds the text. Choose a place yourself (placement Point and direction).";
 	case RequestProblem::FileNotWritten:
 		return "The file '" + error.detail + "' (" + error.parameter +
-		       ") cannot be written. Choose a folder that exists and may be written to.";
+		       ") cannot be written. Choose a folder that exists, may be written to, and has room.";
 	default: return NumberSentence(error);
 	}
 }

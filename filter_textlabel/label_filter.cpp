@@ -106,7 +106,7 @@ std::string Guarded(const Work& work)
 {
 	ErrorContext context;
 	const auto told = [&context](const std::string& text) {
-		return context.isMade ? "The label is in the mesh, but not all was written: " + text : text;
+		return context.isMade ? "The label was made, but not all was written: " + text : text;
 	};
 	try {
 		work(context);

@@ -159,6 +159,24 @@ class Mistakes(InFolder):
         with self.assertRaises(textlabel.LabelError):
             textlabel.label(MESHES / "bracket.stl", "A")
 
+    def test_a_picture_that_does_not_fit_on_the_disk(self):
+        import resource
+
+        picture = self.folder / "picture.png"
+        faces = self.meshes.current_mesh().face_number()
+        before = resource.getrlimit(resource.RLIMIT_FSIZE)
+        resource.setrlimit(resource.RLIMIT_FSIZE, (4096, before[1]))
+        try:
+            with self.assertRaises(textlabel.LabelError) as caught:
+                textlabel.label(self.meshes, "A43", picture=str(picture), **PLACE)
+        finally:
+            resource.setrlimit(resource.RLIMIT_FSIZE, before)
+        for words in ("was made, but not all was written", "picture.png", "has room"):
+            self.assertIn(words, str(caught.exception))
+        self.assertGreater(self.meshes.current_mesh().face_number(), faces)
+        self.assertEqual(os.listdir(self.folder), [])
+        self.check_usable()
+
     def test_relative_names_after_a_file_that_cannot_be_read(self):
         self.addCleanup(os.chdir, os.getcwd())
         os.chdir(self.folder)

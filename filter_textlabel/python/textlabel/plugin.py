@@ -20,7 +20,7 @@ CHOICES = {  # of the filter, by number
 
 
 class LabelError(Exception):
-    """A label that cannot be made. The text says what is wrong, where, and what to do; the mesh is as it was."""
+    """A label that cannot be made, or not all be written. The text says what is wrong, where, and what to do."""
 
 
 def plugin_path():
