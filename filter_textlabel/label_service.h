@@ -46,6 +46,7 @@ private:
 	void tryAttempt(const LabelRequest& request, const Attempt& attempt, const TextOutline& outline);
 	void labelAtDepth(const LabelRequest& request, const TextOutline& outline, double depth);
 	void finish(const LabelRequest& request, bool anySelected);
+	void updateBox();
 	void updateNormals();
 	void countAgain(MeshNumbers& before, MeshNumbers& after) const;
 	LabelReport report(const LabelRequest& request) const;
@@ -54,7 +55,7 @@ private:
 	const vcg::Matrix44d toWorld_;
 	const ServiceHost& host_;
 	ErrorContext& context_;
-	vcg::Box3d box_;
+	PartBoxes boxes_;  ///< before the label
 	vcg::textlabel::LabelFrame frame_;
 	vcg::textlabel::LabelResult result_;
 	TextOutline outline_;
@@ -66,7 +67,7 @@ private:
 template <class MeshType>
 PartProbe LabelJob<MeshType>::probe() const
 {
-	return {box_, [this](const SightLine& line) { return HitsOnLine(m_, toWorld_, line); },
+	return {boxes_.world, [this](const SightLine& line) { return HitsOnLine(m_, toWorld_, line); },
 	        [this] { return GeometryOf(m_, toWorld_); }};
 }
 
@@ -89,15 +90,14 @@ LabelReport LabelJob<MeshType>::run(const LabelRequest& asked)
 {
 	LabelRequest request = asked;
 	StageClock clock;
-	const PartBoxes boxes = BoxesOf(m_, toWorld_);
-	box_ = boxes.world;
+	boxes_ = BoxesOf(m_, toWorld_);
 	vcg::textlabel::RequireCountable(m_.vert.size(), m_.face.size());
-	if (m_.FN() == 0 || box_.IsNull()) throw RequestError(RequestProblem::EmptyPart);
-	CheckRequest(request, box_);
+	if (m_.FN() == 0 || boxes_.world.IsNull()) throw RequestError(RequestProblem::EmptyPart);
+	CheckRequest(request, boxes_.world);
 	constexpr int countedUpTo =
 		50000;  // triangles; of larger parts only when the report is asked for: counting takes longer than labelling
 	const bool counts = m_.FN() <= countedUpTo || !request.report.empty();
-	const FaceSums faces = SumFaces(m_, boxes.mesh.Center());
+	const FaceSums faces = SumFaces(m_, boxes_.mesh.Center());
 	MeshNumbers before;
 	before.vertices = m_.VN();
 	before.triangles = m_.FN();
@@ -219,8 +219,21 @@ void LabelJob<MeshType>::finish(const LabelRequest& request, bool anySelected)
 			if (colors)
 				m_.face[size_t(f)].C() = vcg::Color4b(request.color[0], request.color[1], request.color[2], 255);
 		}
-	m_.bbox.Import(BoxesOf(m_, vcg::textlabel::LabelFrame::Identity()).mesh);
+	updateBox();
 	updateNormals();
+}
+
+/// The box grows by what is new. It may shrink only where a vertex of its border moved: then all of them are looked at once more.
+template <class MeshType>
+void LabelJob<MeshType>::updateBox()
+{
+	const vcg::Box3d &old = boxes_.mesh, &from = result_.movedFrom;
+	bool mayShrink = false;
+	for (int i = 0; i < 3 && !from.IsNull(); ++i)
+		mayShrink = mayShrink || from.min[i] <= old.min[i] || from.max[i] >= old.max[i];
+	vcg::Box3d box = mayShrink ? BoxesOf(m_, vcg::textlabel::LabelFrame::Identity()).mesh : old;
+	box.Add(result_.newPlaces);
+	m_.bbox.Import(box);
 }
 
 /// New faces get their normals; so do the vertices that are new or have moved. All faces around these are new.

@@ -118,6 +118,28 @@ TEST(Service, LeavesSelectionNormalsAndBoxAsTheyShouldBe)
 	}
 }
 
+TEST(Service, TheBoxIsThatOfAllVerticesAlsoWhereTheLabelWasAtItsBorder)
+{
+	const test_mesh::Shape slab = test_mesh::Slab(60, 40, 5, 60, 40), sphere = test_mesh::Sphere(30, 60, 40);
+	for (const LabelStyle style : {LabelStyle::Emboss, LabelStyle::Engrave, LabelStyle::Flat})
+		for (const test_mesh::Shape* shape : {&slab, &sphere}) {
+			Mesh m;
+			test_mesh::Fill(m, *shape);
+			vcg::tri::UpdateBounding<Mesh>::Box(m);
+			const float top = m.bbox.max[2];
+			LabelRequest request = OnTop(16, 1);
+			request.position = {0, 0, 30};
+			request.style = style;
+			request.text = "I";  // over the sphere's only highest vertex, and over some of the slab's many
+			RunOn(m, request);
+			const auto told = m.bbox;
+			vcg::tri::UpdateBounding<Mesh>::Box(m);
+			EXPECT_EQ(told.min, m.bbox.min);
+			EXPECT_EQ(told.max, m.bbox.max);
+			EXPECT_EQ(told.max[2] < top, style == LabelStyle::Engrave && shape == &sphere);
+		}
+}
+
 TEST(Service, AFlatLabelLeavesTheNormalsOfTheSurfaceAlone)
 {
 	Mesh m;

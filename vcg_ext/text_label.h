@@ -29,6 +29,9 @@ struct LabelResult {
 	double room =
 		0;  ///< to the next surface behind the letters along the rays, world units; infinite when there is none, and
 			///< when none lies within the depth and LabelOptions::measureRoom is off
+	vcg::Box3d movedFrom,
+		newPlaces;                ///< where old vertices were that moved with the letters, where these and the new ones
+								  ///< are now; mesh coordinates, null when there are none
 	double resolution = 0;        ///< world units: no point of a contour was moved by more
 	int attempts = 1;             ///< placements tried within the resolution
 	bool survivesFloat32 = true;  ///< false: a double mesh whose letters only double coordinates carry
@@ -265,6 +268,11 @@ LabelResult LabelMeshOrThrow(MeshType& m, const Outline& outline, const LabelFra
 	result.touchedFaces = int(patch.removed.size());
 	result.newVertices = int(patch.vertices.size());
 	result.newFaces = int(patch.faces.size()) - int(patch.removed.size());
+	for (const auto& [v, p] : patch.moved) {
+		result.movedFrom.Add(planned.sheet.vertices[size_t(v)].mesh);
+		result.newPlaces.Add(p);
+	}
+	for (const PatchVertex& v : patch.vertices) result.newPlaces.Add(v.mesh);
 	for (std::vector<int>* list : {&result.topFaces, &result.wallFaces, &result.outsideFaces})
 		list->reserve(patch.faces.size());
 	if (options.progress && !options.progress(95)) throw Error(ErrorCode::Cancelled, "the caller said stop");
