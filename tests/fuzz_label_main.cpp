@@ -6,7 +6,8 @@
 //        label_fuzz [--reduce] FILE... judge cases in text form; reduce them to FILE.small
 //
 // Case i of a run is made from seed S + i alone. Cases run in processes of their own, so that a crash or a hang is
-// a finding and not the end. Findings are written to FOLDER as cases in text form. Exit 1 when there is one.
+// a finding and not the end. Findings are written to FOLDER as cases in text form.
+// Exit: 0; 1 when there is a finding; 2 wrong usage.
 
 #include "fuzz_label_judge.h"
 #include "fuzz_label_reduce.h"
@@ -258,7 +259,11 @@ int main(int count, char** values)
 		else if (name == "--family") a.family = i + 1 < count ? values[++i] : "";
 		else if (name == "--show") a.show = number();
 		else if (name == "--reduce") a.reduce = true;
-		else a.files.push_back(name);
+		else if (name.rfind("-", 0) != 0 && std::ifstream(name)) a.files.push_back(name);
+		else {
+			std::cerr << "label_fuzz: no such option or file '" << name << "'; its source begins with the usage.\n";
+			return 2;
+		}
 	}
 	if (a.show >= 0) {
 		Write(std::cout, CaseOf(a, a.show));
