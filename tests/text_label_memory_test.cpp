@@ -120,6 +120,8 @@ TEST(Memory, EveryAllocationMayFail)
 		FailEverywhere<test_mesh::DoubleMesh>(slab, letters, height);
 		FailEverywhere<test_mesh::RichMesh>(slab, letters, height);
 	}
+	// sizes at which other arrays happen to be full
+	FailEverywhere<test_mesh::FloatMesh>(test_mesh::Slab(30, 20, 4, 15, 10), ThreeLetters(), 0);
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "predicates.h"
 
 #include <algorithm>
+#include <vcg/space/box2.h>
 
 namespace vcg::textlabel {
 
@@ -60,12 +61,21 @@ inline bool AreNeighbours(const Outline& outline, const OutlineSegment& s, const
 	return s.contour == t.contour && ((s.index + 1) % n == t.index || (t.index + 1) % n == s.index);
 }
 
+inline std::vector<vcg::Box2d> BoxesOfContours(const Outline& outline)
+{
+	std::vector<vcg::Box2d> boxes(outline.contours.size());
+	for (size_t c = 0; c < boxes.size(); ++c)
+		for (const vcg::Point2d& p : outline.contours[c].points) boxes[c].Add(p);
+	return boxes;
+}
+
 /// How often the other contours go round a point (exact).
-inline int WindingAround(const Outline& outline, size_t except, const vcg::Point2d& p)
+inline int WindingAround(const Outline& outline, const std::vector<vcg::Box2d>& boxes, size_t except,
+                         const vcg::Point2d& p)
 {
 	int winding = 0;
 	for (size_t c = 0; c < outline.contours.size(); ++c) {
-		if (c == except) continue;
+		if (c == except || !boxes[c].IsIn(p)) continue;
 		const auto& q = outline.contours[c].points;
 		for (size_t i = 0, j = q.size() - 1; i < q.size(); j = i++) {
 			if ((q[j][1] > p[1]) == (q[i][1] > p[1])) continue;
@@ -83,10 +93,11 @@ inline void RequireGoodOutline(const Outline& outline)
 	const auto refuse = [&](int contour, const char* why) {
 		throw Error(ErrorCode::BadContour, why).atLetter(outline.contours[size_t(contour)].letter);
 	};
+	const std::vector<vcg::Box2d> boxes = detail::BoxesOfContours(outline);
 	for (size_t c = 0; c < outline.contours.size(); ++c) {
 		const auto& points = outline.contours[c].points;
 		const double area = TwiceSignedArea(points);
-		const int around = detail::WindingAround(outline, c, points[0]);
+		const int around = detail::WindingAround(outline, boxes, c, points[0]);
 		if (!(area != 0) || around != (area > 0 ? 0 : 1)) refuse(int(c), "a contour is oriented against its nesting");
 	}
 	const std::vector<detail::OutlineSegment> segments = detail::SegmentsOf(outline);

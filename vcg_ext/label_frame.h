@@ -130,6 +130,8 @@ inline LabelSpace::LabelSpace(const LabelFrame& f) : perspective_(f.perspective)
 	}
 	for (const vcg::Point3d& p : {column[0], column[1], column[2], shift})
 		if (!IsFinite(p)) bad("the layer's matrix is not finite");
+	for (int j = 0; j < 4; ++j)
+		if (f.toWorld.ElementAt(3, j) != (j == 3 ? 1 : 0)) bad("the layer's matrix is not affine");
 	const double det = (column[0] ^ column[1]) * column[2];
 	scale_ = std::sqrt(column[0].SquaredNorm() + column[1].SquaredNorm() + column[2].SquaredNorm());
 	if (!(std::abs(det) > std::numeric_limits<double>::epsilon() * scale_ * scale_ * scale_))

@@ -39,7 +39,8 @@ struct LabelPlan {
 
 /// How the coordinates of a mesh are stored or saved.
 struct Precision {
-	bool isFloat = true;  ///< float32, else float64
+	bool isFloat = true;        ///< float32, else float64: what the label has to survive
+	bool storesDouble = false;  ///< the mesh itself keeps what is not rounded, which has to be right as well
 
 	double round(double x) const { return isFloat ? RoundToFloat(x) : x; }
 	/// The step between coordinates of this size.
@@ -135,7 +136,8 @@ inline Outline LabelPlanner::prepared(const Outline& outline, const vcg::Point2d
 
 inline std::vector<vcg::Point2d> LabelPlanner::thinned(const std::vector<vcg::Point2d>& points) const
 {
-	constexpr double flat = 0.5;  // of snap
+	constexpr double flat = 0.5;         // of snap
+	constexpr size_t mostSkipped = 100;  // in a row, for all of them are looked at again with each one more
 	const auto isOnLine = [&](const vcg::Point2d& a, const vcg::Point2d& b, size_t first, size_t last) {
 		const vcg::Point2d d = b - a;
 		for (size_t i = first; i < last; ++i) {
@@ -149,7 +151,8 @@ inline std::vector<vcg::Point2d> LabelPlanner::thinned(const std::vector<vcg::Po
 	for (size_t i = 0; i < points.size(); ++i) {
 		const vcg::Point2d& next = points[(i + 1) % points.size()];
 		if (!kept.empty() && (points[i] - kept.back()).Norm() <= apartSnaps * snap_) continue;
-		if (!kept.empty() && isOnLine(kept.back(), next, skipped, i + 1)) continue;
+		const bool maySkip = !kept.empty() && i - skipped < mostSkipped;
+		if (maySkip && isOnLine(kept.back(), next, skipped, i + 1)) continue;
 		kept.push_back(points[i]);
 		skipped = i + 1;
 	}
@@ -357,13 +360,19 @@ inline void LabelPlanner::requireOutward(const LabelPatch& patch) const
 
 inline PatchVerdict LabelPlanner::check(const LabelPatch& patch, double height) const
 {
-	const std::vector<vcg::Point3d> position =
-		RoundedPositions(sheet_, patch, [this](double x) { return precision_.round(x); });
 	const bool isStraight = patch.isFlat || staysOnRays();
-	Suspects suspects;
-	if (isStraight && isRepresentable_) suspects = FindSuspects(space_, sheet_, layer_, patch, position, height, snap_);
-	const PatchVerdict verdict = CheckPatch(space_, sheet_, patch, position, suspects);
-	return isStraight || verdict.fault != PatchFault::Sound ? verdict : CheckSweptVolume(sheet_, patch, position);
+	const auto checkAs = [&](const Precision& as) {
+		const std::vector<vcg::Point3d> position =
+			RoundedPositions(sheet_, patch, [&](double x) { return as.round(x); });
+		Suspects suspects;
+		if (isStraight && (isRepresentable_ || !as.isFloat))
+			suspects = FindSuspects(space_, sheet_, layer_, patch, position, height, snap_);
+		const PatchVerdict verdict = CheckPatch(space_, sheet_, patch, position, suspects);
+		return isStraight || verdict.fault != PatchFault::Sound ? verdict : CheckSweptVolume(sheet_, patch, position);
+	};
+	const PatchVerdict verdict = checkAs(precision_);
+	if (verdict.fault != PatchFault::Sound || !(precision_.isFloat && precision_.storesDouble)) return verdict;
+	return checkAs({false, true});
 }
 
 /// Find the largest height that works, for the message.

@@ -109,7 +109,8 @@ CommitResult CommitPatch(MeshType& m, const LabelSpace& space, const Sheet& shee
 		if (!taken[size_t(t)]) result.faces[guests[guest++]] = sheet.triangles[size_t(t)].face;
 	const int appended = int(guests.size() - guest);
 	for (int i = 0; guest < guests.size(); ++i) result.faces[guests[guest++]] = int(firstNewFace) + i;
-	GrowMesh(m, patch.vertices.size(), size_t(appended));  // nothing below can fail
+	guests.insert(guests.end(), owners.begin(), owners.end());  // owners overwrite their birth face, so they go last
+	GrowMesh(m, patch.vertices.size(), size_t(appended));       // nothing below can fail
 
 	for (size_t i = 0; i < patch.vertices.size(); ++i)
 		detail::MixVertex(m, sheet, patch.vertices[i], m.vert[size_t(result.firstNewVertex) + i]);
@@ -117,7 +118,6 @@ CommitResult CommitPatch(MeshType& m, const LabelSpace& space, const Sheet& shee
 		m.vert[size_t(sheet.vertices[size_t(v)].index)].P() = {Scalar(p[0]), Scalar(p[1]), Scalar(p[2])};
 
 	const bool wedges = vcg::tri::HasPerWedgeTexCoord(m);
-	guests.insert(guests.end(), owners.begin(), owners.end());  // owners overwrite their birth face, so they go last
 	for (const size_t i : guests) {
 		const PatchFace& f = patch.faces[i];
 		const FaceType& birth = m.face[size_t(sheet.triangles[size_t(f.parent)].birthFace())];

@@ -183,12 +183,12 @@ PlannedLabel PlanInBox(const MeshType& m, const LabelSpace& space, const Outline
 {
 	constexpr bool isDouble = std::is_same_v<typename MeshType::ScalarType, double>;
 	try {
-		return PlanInBox(m, space, outline, box, options, options.measureRoom, Precision{true});
+		return PlanInBox(m, space, outline, box, options, options.measureRoom, Precision{true, isDouble});
 	} catch (const Error& e) {
 		const bool isFiner = e.code == ErrorCode::TooFine || (e.code == ErrorCode::BadHeight && e.value <= e.limit);
 		if (!isDouble || !isFiner) throw;
 	}
-	return PlanInBox(m, space, outline, box, options, options.measureRoom, Precision{false});
+	return PlanInBox(m, space, outline, box, options, options.measureRoom, Precision{false, isDouble});
 }
 
 /// What the label would reach if it were raised by no more than a refusal says will do; empty when that can't be told.
@@ -248,6 +248,7 @@ LabelResult LabelMeshOrThrow(MeshType& m, const Outline& outline, const LabelFra
 	try {
 		planned = PlanOnMesh(m, space, outline, forwards);
 	} catch (Error& e) {
+		if (e.code == ErrorCode::Cancelled) throw;
 		RequireGoodOutline(outline);  // a wrong outline runs into anything; a good one needs no look
 		if (e.letter < 0 && e.hasPlace) e.letter = NearestLetter(space, outline, e.place);
 		throw;
