@@ -121,6 +121,73 @@ TEST(Layer, DoublesCarryWhatFloatsCannot)
 	EXPECT_EQ(error.code, ErrorCode::TooFine);
 }
 
+/// A box that leans, and a tetrahedron leaning over it, all in floats.
+Shape LeaningPair(std::mt19937& generator)
+{
+	const auto draw = [&](double low, double high) {
+		return std::uniform_real_distribution<double>(low, high)(generator);
+	};
+	const auto rounded = [](const Point3d& p) { return Point3d(float(p[0]), float(p[1]), float(p[2])); };
+	const double slope = draw(0.2, 0.8), left = draw(6, 8), height = draw(3, 5);
+	Shape s = test_mesh::Box(20, 20, 6).moved([&](const Point3d& p) {
+		return rounded({p[0] * 1.01, p[1] * 1.013, p[2] + slope * p[0]});
+	});
+	Shape t;
+	for (const Point3d& p : {Point3d(-left, -8, height), Point3d(-left, 8, height), Point3d(-left, 0, height + 5)})
+		t.add(rounded(p + Point3d(draw(-0.3, 0.3), draw(-1, 1), draw(-0.5, 0.5))));
+	t.add(rounded({-left - 4, draw(-1, 1), height + draw(1, 2)}));
+	t.faces = {{0, 1, 2}, {0, 3, 1}, {1, 3, 2}, {2, 3, 0}};
+	return s.joined(t);
+}
+
+// Letters that all but touch another surface: what is clear of it once it is rounded must be so as a double mesh holds it, too.
+TEST(Layer, ADoubleMeshIsSoundAsItIsAndRounded)
+{
+	std::mt19937 generator(1);
+	int made = 0;
+	for (int part = 0; part < 12; ++part) {
+		const Shape shape = LeaningPair(generator);
+		const Outline letter = Letters({RegularPolygon(-1, 0, 3, 7)});
+		double low = 0.5, high = 12;
+		for (int step = 0; step < 40; ++step) {  // to the least height that is refused
+			LabelOptions options;
+			options.height = (low + high) / 2;
+			options.along = ExtrudeAlong::SurfaceNormal;
+			test_mesh::DoubleMesh m;
+			test_mesh::Fill(m, shape);
+			try {
+				LabelMesh(m, letter, FromAbove(), options);
+				low = options.height;
+			} catch (const Error&) {
+				high = options.height;
+				continue;
+			}
+			++made;
+			EXPECT_EQ(FindCrossings(ToIndexedMesh(m)).size(), 0u) << "part " << part << ", height " << low;
+		}
+	}
+	EXPECT_GT(made, 100);
+}
+
+// Between an edge and the facets beside it the normal turns steadily, so that letters can sink well below facets' width.
+TEST(Layer, LettersSinkAlongTheNormalsOfASphere)
+{
+	const Shape sphere = test_mesh::Sphere(30, 100, 80);
+	for (const double height : {-0.5, -2.0, 2.0}) {
+		test_mesh::FloatMesh m;
+		test_mesh::Fill(m, sphere);
+		LabelOptions options;
+		options.height = height;
+		options.along = ExtrudeAlong::SurfaceNormal;
+		const LabelResult result = LabelMesh(m, ThreeLetters(), FromAbove(), options);
+		const MeshReport report = MakeReport(m);
+		EXPECT_TRUE(IsSound(report)) << ToText(report);
+		// between two spheres; smoothed within the letters, the normals at their rim spread a little less
+		const double outer = std::pow(1 + height / 30, 3) - 1;
+		EXPECT_NEAR(result.addedVolume, result.surfaceArea * 10 * outer, std::abs(result.addedVolume) * 0.03);
+	}
+}
+
 #ifdef HAS_MESHLAB_MESH
 // MeshLab's mesh keeps optional attributes outside of its faces and vertices; they have to grow with them.
 TEST(Layer, MeshLabsOwnMesh)

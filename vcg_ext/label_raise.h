@@ -66,23 +66,36 @@ inline std::vector<vcg::Point3d> SmoothNormals(const Sheet& sheet, const CutLabe
                                                const std::vector<IndexTriangle>& inside)
 {
 	constexpr int rounds = 4;  // a noisy scan's normals settle; a flat face's do not change
-	std::vector<vcg::Point3d> normal(size_t(cut.points.count(sheet)), vcg::Point3d(0, 0, 0)), sum;
-	for (const IndexTriangle& t : inside) {
-		const vcg::Point3d& a = cut.points.at(sheet, t[0]).label;
-		const vcg::Point3d n = (cut.points.at(sheet, t[1]).label - a) ^ (cut.points.at(sheet, t[2]).label - a);
-		for (const int v : t) normal[size_t(v)] += n;
+	std::vector<int> faces = cut.touched;
+	faces.insert(faces.end(), cut.within.begin(), cut.within.end());
+	std::vector<vcg::Point3d> corner(sheet.vertices.size(), vcg::Point3d(0, 0, 0)), sum;
+	for (const int f : faces) {
+		const IndexTriangle& t = sheet.triangles[size_t(f)].vertex;
+		const vcg::Point3d& a = sheet.vertices[size_t(t[0])].label;
+		const vcg::Point3d n = (sheet.vertices[size_t(t[1])].label - a) ^ (sheet.vertices[size_t(t[2])].label - a);
+		for (const int v : t) corner[size_t(v)] += n;
 	}
 	for (int round = 0; round <= rounds; ++round) {
-		for (vcg::Point3d& n : normal)
+		for (vcg::Point3d& n : corner)
 			if (n.SquaredNorm() > 0) n /= n.Norm();
 		if (round == rounds) break;
-		sum = normal;
-		for (const IndexTriangle& t : inside) {
-			const vcg::Point3d all = normal[size_t(t[0])] + normal[size_t(t[1])] + normal[size_t(t[2])];
+		sum = corner;
+		for (const int f : faces) {
+			const IndexTriangle& t = sheet.triangles[size_t(f)].vertex;
+			const vcg::Point3d all = corner[size_t(t[0])] + corner[size_t(t[1])] + corner[size_t(t[2])];
 			for (const int v : t) sum[size_t(v)] += all;
 		}
-		normal.swap(sum);
+		corner.swap(sum);
 	}
+	// between the corners the normal turns steadily: two points side by side have nearly the same
+	std::vector<vcg::Point3d> normal(size_t(cut.points.count(sheet)), vcg::Point3d(0, 0, 0));
+	for (const IndexTriangle& t : inside)
+		for (const int v : t) {
+			const Mixture m = cut.points.mixtureOf(sheet, v);
+			vcg::Point3d n(0, 0, 0);
+			for (size_t k = 0; k < 3; ++k) n += corner[size_t(m.parent[k])] * m.weight[k];
+			if (n.SquaredNorm() > 0) normal[size_t(v)] = n / n.Norm();
+		}
 	return normal;
 }
 
