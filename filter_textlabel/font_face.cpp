@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <cstring>
 #include <functional>
 #include <ft2build.h>
 #include FT_FREETYPE_H
@@ -13,6 +14,7 @@
 #include <hb-ot.h>
 #include "embedded_font.h"
 #include "font_outline.h"
+#include "text_utf8.h"
 
 namespace textlabel {
 namespace {
@@ -69,6 +71,29 @@ std::string AxisList(const FT_MM_Var& variable)
 	return text;
 }
 
+/// How large a compressed font (WOFF, WOFF2) says that it is when it is unpacked; 0 for others.
+std::size_t UnpackedSize(const FT_Byte* bytes, std::size_t size)
+{
+	constexpr std::size_t place = 16;  // big-endian, in both headers
+	const bool isPacked =
+		size >= place + 4 && (std::memcmp(bytes, "wOFF", 4) == 0 || std::memcmp(bytes, "wOF2", 4) == 0);
+	std::size_t unpacked = 0;
+	for (std::size_t i = 0; isPacked && i < 4; ++i) unpacked = unpacked << 8 | bytes[place + i];
+	return unpacked;
+}
+
+/// A name as a report can hold it: old fonts have theirs in the encodings of their time.
+std::string ReadableName(std::string name)
+{
+	try {
+		DecodeUtf8(name);
+	} catch (const TextError&) {
+		for (char& c : name)
+			if (static_cast<unsigned char>(c) >= 0x80) c = '?';
+	}
+	return name;
+}
+
 }  // namespace
 
 std::shared_ptr<FT_LibraryRec_> OpenFontLibrary()
@@ -101,6 +126,7 @@ void FontFace::open()
 		bytes = reinterpret_cast<const FT_Byte*>(m_source.bytes->data());
 		size = m_source.bytes->size();
 	}
+	if (UnpackedSize(bytes, size) > kLargestFont) throw failure(TextErrorCode::NotAFont, "it is too large");
 	constexpr int kMostFaces = 0xFFFF;
 	if (m_source.face < 0 || m_source.face > kMostFaces)
 		throw failure(TextErrorCode::BadFace, {}).measured(m_source.face, 0);
@@ -121,7 +147,7 @@ void FontFace::open()
 	error = FT_Set_Pixel_Sizes(face, face->units_per_EM, face->units_per_EM);
 	if (error != 0) throw failure(TextErrorCode::NotAFont, FreeTypeMessage(error));
 	const std::string style = face->style_name ? std::string(" ") + face->style_name : std::string();
-	m_description = (face->family_name ? face->family_name : "unnamed") + style;
+	m_description = ReadableName((face->family_name ? face->family_name : "unnamed") + style);
 	if (m_source.bytes) m_description += " (" + m_source.name + ", face " + std::to_string(m_source.face);
 	for (const AxisSetting& axis : m_source.axes)
 		m_description += (m_source.bytes ? ", " : " ") + axis.tag + "=" + Number(axis.value);
@@ -240,7 +266,7 @@ bool FontFace::isPicture(unsigned index) const
 	const bool hasPictures = FT_HAS_COLOR(m_face.get()) || FT_HAS_FIXED_SIZES(m_face.get()) ||
 	                         hb_ot_color_has_layers(tables) || hb_ot_color_has_svg(tables) ||
 	                         hb_ot_color_has_png(tables);
-	return hasPictures && glyph(index).empty();
+	return hasPictures && !hasInk(index);
 }
 
 bool FontFace::hasInk(unsigned index) const

@@ -93,6 +93,8 @@ Pattern PatternFor(const FontRequest& request)
 		for (const StyleValue& v : *values) FcPatternAddInteger(pattern.get(), v.object.c_str(), v.value);
 	} else FcPatternAddString(pattern.get(), FC_STYLE, Bytes(request.style));
 	FcPatternAddBool(pattern.get(), FC_OUTLINE, FcTrue);
+	FcPatternAddString(pattern.get(), FC_LANG,
+	                   Bytes("und"));  // else Fontconfig adds the languages of the user's locale
 	// a family may be installed both as a variable font and as one file for each weight
 	if (!request.axes.empty()) FcPatternAddBool(pattern.get(), FC_VARIABLE, FcTrue);
 	return pattern;
@@ -133,7 +135,12 @@ bool IsAsked(const FcPattern* font, const FontRequest& request)
 {
 	const bool named = IsGeneric(request.family) || Names(font, FC_FAMILY, request.family) ||
 	                   Names(font, FC_FULLNAME, request.family) || Names(font, FC_POSTSCRIPT_NAME, request.family);
-	return named && HasStyle(font, request);
+	// Fontconfig's rules call a font bold or oblique that whoever draws it is to make so
+	FcMatrix* sheared = nullptr;
+	FcBool emboldened = FcFalse;
+	FcPatternGetBool(font, FC_EMBOLDEN, 0, &emboldened);
+	const bool isSynthetic = emboldened || FcPatternGetMatrix(font, FC_MATRIX, 0, &sheared) == FcResultMatch;
+	return named && !isSynthetic && HasStyle(font, request);
 }
 
 std::string DisplayName(const FcPattern* font) { return Text(font, FC_FAMILY) + ":" + Text(font, FC_STYLE); }

@@ -39,10 +39,12 @@ char32_t DecodeOne(const std::string& utf8, std::size_t at, std::size_t length)
 
 bool IsLineBreak(char32_t c) { return (c >= 0x0A && c <= 0x0D) || c == 0x85 || c == 0x2028 || c == 0x2029; }
 
+constexpr char32_t oghamStroke = 0x1680;  // by its category a space, yet it has ink
+
 bool IsSpace(char32_t c)
 {
 	const auto category = hb_unicode_general_category(hb_unicode_funcs_get_default(), c);
-	return c == '\t' || category == HB_UNICODE_GENERAL_CATEGORY_SPACE_SEPARATOR;
+	return c == '\t' || (c != oghamStroke && category == HB_UNICODE_GENERAL_CATEGORY_SPACE_SEPARATOR);
 }
 
 }  // namespace
@@ -109,6 +111,10 @@ bool IsBlank(char32_t c)
 {
 	// Not separators, yet without ink: the Hangul fillers and the braille cell without dots.
 	static constexpr char32_t kFillers[] = {0x115F, 0x1160, 0x2800, 0x3164, 0xFFA0};
+	// By their category without ink, yet with it: this, and signs that stand before or around a number.
+	static constexpr char32_t kVisible[] = {oghamStroke, 0x600, 0x601, 0x602, 0x603, 0x604,   0x605,
+	                                        0x6DD,       0x70F, 0x890, 0x891, 0x8E2, 0x110BD, 0x110CD};
+	if (std::find(std::begin(kVisible), std::end(kVisible), c) != std::end(kVisible)) return false;
 	switch (hb_unicode_general_category(hb_unicode_funcs_get_default(), c)) {
 	case HB_UNICODE_GENERAL_CATEGORY_CONTROL:
 	case HB_UNICODE_GENERAL_CATEGORY_FORMAT:

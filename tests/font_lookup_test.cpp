@@ -81,6 +81,13 @@ TEST(FindFont, NeverTakesASubstituteInSilence)
 	EXPECT_NE(Found("sans-serif").substr(0, 9), "instead: ") << "which stands for any";
 }
 
+TEST(FindFont, TakesNoStyleThatFontconfigOnlyCallsSo)
+{
+	SKIP_WITHOUT("osifont");  // it has one face
+	for (const char* name : {"osifont:Bold", "osifont:Italic"})
+		EXPECT_EQ(Found(name).substr(0, 9), "instead: ") << name;
+}
+
 TEST(FindFallback, GoesOnToTheNextFont)
 {
 	std::vector<std::string> tried;

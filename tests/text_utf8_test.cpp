@@ -62,7 +62,8 @@ TEST(Blanks, HaveNoInk)
 {
 	for (const char32_t c : U"\t \u00A0\u200B\u200D\u200F\u3000\u3164\u2800\uFE0F\u0007")
 		EXPECT_TRUE(IsBlank(c)) << unsigned(c);
-	for (const char32_t c : {U'a', U'.', U'日', U'\u0301', U'\u2588'}) EXPECT_FALSE(IsBlank(c)) << unsigned(c);
+	for (const char32_t c : {U'a', U'.', U'日', U'\u0301', U'\u2588', U'\u1680', U'\u06DD'})
+		EXPECT_FALSE(IsBlank(c)) << unsigned(c);
 }
 
 }  // namespace
