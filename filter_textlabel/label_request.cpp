@@ -137,13 +137,14 @@ bool Read(const std::string& text, Choice& value)
 {
 	const auto& names = ChoiceNames(value);
 	const std::string wanted = LowerCase(text);
+	int meant = 0;
 	for (size_t i = 0; i < names.size(); ++i) {
 		const bool begins = !wanted.empty() && LowerCase(names[i]).compare(0, wanted.size(), wanted) == 0;
 		if (!begins && wanted != std::to_string(i)) continue;
 		value = Choice(i);
-		return true;
+		++meant;
 	}
-	return false;
+	return meant == 1;  // more than one begin like this
 }
 
 // ---- checks

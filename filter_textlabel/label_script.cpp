@@ -39,6 +39,8 @@ void Imply(const std::set<std::string>& given, LabelRequest& request)
 		if (has("camera")) request.placement = PlacementKind::Camera;
 		else if (has("position")) request.placement = PlacementKind::PointAndDirection;
 	}
+	const bool isBlank = request.camera.find_first_not_of(" \t\r\n") == std::string::npos;
+	if (has("camera") && isBlank && !has("position")) throw RequestError(RequestProblem::CameraMissing, "camera");
 	if (has("color") && !has("tint")) request.tint = true;
 }
 

@@ -117,6 +117,7 @@ struct TextExtent {
 TextExtent ExtentOf(const LabelRequest& request, double size, TextSetter& text)
 {
 	constexpr double arcShare = 0.2;  // of the radius: a size at which most texts fit on the arc
+	constexpr double lessThanFull = 0.99;
 	TextExtent extent;
 	if (size != ChosenToFit) {
 		const TextOutline& outline = text.at(size);
@@ -125,8 +126,15 @@ TextExtent ExtentOf(const LabelRequest& request, double size, TextSetter& text)
 	LabelRequest probe = request;
 	probe.tolerance = ChosenToFit;
 	probe.embolden = probe.minStroke = probe.minGap = 0;  // lengths, which mean nothing before the size is known
-	const double probeSize = request.arcRadius == 0 ? 1 : std::abs(request.arcRadius) * arcShare;
-	const TextOutline outline = MakeTextOutline(probe.text, TextOptionsOf(probe, probeSize));
+	double probeSize = request.arcRadius == 0 ? 1 : std::abs(request.arcRadius) * arcShare;
+	TextOutline outline;
+	try {
+		outline = MakeTextOutline(probe.text, TextOptionsOf(probe, probeSize));
+	} catch (const TextError& error) {  // a long text; the least radius is in proportion to the size
+		if (error.code != TextErrorCode::BadArc || !(error.limit > 0)) throw;
+		probeSize *= lessThanFull * std::abs(request.arcRadius) / error.limit;
+		outline = MakeTextOutline(probe.text, TextOptionsOf(probe, probeSize));
+	}
 	return {outline.boxMin / probeSize, outline.boxMax / probeSize};
 }
 

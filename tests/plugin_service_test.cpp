@@ -196,6 +196,18 @@ TEST(Service, AChosenSizeGoesDownUntilTheTextFitsOnItsArc)
 	EXPECT_LT(report.size, 2);
 }
 
+TEST(Service, AChosenSizeIsAsSmallAsALongTextOnASmallArcNeeds)
+{
+	Mesh m;
+	MakePlate(m, 5);
+	LabelRequest request = OnTop(ChosenToFit, 0.5);
+	request.text = "Manufactured by Example Company Limited";
+	request.arcRadius = 6;
+	const LabelReport report = RunOn(m, request).report;
+	EXPECT_GT(report.size, 0);
+	EXPECT_LT(report.size, 0.2 * 6);
+}
+
 TEST(Service, APlaceIsToldAsItIsSeen)
 {
 	Mesh m;

@@ -129,6 +129,7 @@ TEST(ParameterTable, ReadsWhatPeopleWrite)
 	                                 {"color", "12345g"},
 	                                 {"style", ""},
 	                                 {"style", "3"},
+	                                 {"style", "e"},
 	                                 {"tint", "yes"}})
 		EXPECT_EQ(ProblemOf([&] { SetValue(*FindParameter(name), r, text); }), RequestProblem::UnreadableValue)
 			<< name << text;
