@@ -1,6 +1,8 @@
 """For the tests in Python: the real PyMeshLab or a visible skip, STL files as welded meshes, and their faults."""
 
+import base64
 import collections
+import json
 import os
 import pathlib
 import struct
@@ -8,6 +10,7 @@ import subprocess
 import sys
 import tempfile
 import unittest
+import zipfile
 import zlib
 
 SOURCE = pathlib.Path(os.environ.get("TEXTLABEL_SOURCE_DIR", pathlib.Path(__file__).resolve().parents[1]))
@@ -75,18 +78,25 @@ def euler(mesh):
     return len(mesh.points) - len(np.unique(np.minimum(along, back))) + len(mesh.triangles)
 
 
+QUADS = [(0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (2, 6, 7, 3), (0, 4, 6, 2), (1, 3, 7, 5)]
+BOX_TRIANGLES = [(a, b, c) for a, b, c, _ in QUADS] + [(a, c, d) for a, _, c, d in QUADS]
+
+
+def box_points(x, y, z, start=(0, 0, 0)):
+    """Corners of a box; BOX_TRIANGLES are its triangles."""
+    return [tuple(map(sum, zip(start, (a, b, c)))) for c in (0, z) for b in (0, y) for a in (0, x)]
+
+
 def write_textured_box(folder, texture="skin.png", shade=200):
     """box.obj, 60 x 40 x 10, in a new folder, its material, and the texture beside it: 2 x 2 pixels of one grey."""
     folder.mkdir(parents=True)
     x, y, z = 60, 40, 10
-    points = [(a, b, c) for c in (0, z) for b in (0, y) for a in (0, x)]
-    quads = [(0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (2, 6, 7, 3), (0, 4, 6, 2), (1, 3, 7, 5)]
-    triangles = [(a, b, c) for a, b, c, _ in quads] + [(a, c, d) for a, _, c, d in quads]
+    points = box_points(x, y, z)
     lines = ["mtllib box.mtl"]
     lines += ["v {} {} {}".format(*point) for point in points]
     lines += [f"vt {a / x} {b / y}" for a, b, _ in points]
     lines += ["usemtl skin"]
-    lines += ["f " + " ".join(f"{corner + 1}/{corner + 1}" for corner in triangle) for triangle in triangles]
+    lines += ["f " + " ".join(f"{corner + 1}/{corner + 1}" for corner in triangle) for triangle in BOX_TRIANGLES]
     (folder / "box.obj").write_text("\n".join(lines) + "\n")
     (folder / "box.mtl").write_text(f"newmtl skin\nKd 1 1 1\nmap_Kd {texture}\n")
     path = folder / texture
@@ -98,6 +108,65 @@ def write_textured_box(folder, texture="skin.png", shade=200):
         for name, data in [*chunks.items(), (b"IEND", b"")]:
             file.write(struct.pack(">I", len(data)) + name + data + struct.pack(">I", zlib.crc32(name + data)))
     return folder / "box.obj"
+
+
+def write_gltf(path, objects):
+    """One node for each object: its points and a matrix, column by column, as glTF has it."""
+    data, views, accessors = b"", [], []
+    for points, _ in objects:
+        for array in (np.array(points, "<f4"), np.array(BOX_TRIANGLES, "<u2").ravel()):
+            views.append({"buffer": 0, "byteOffset": len(data), "byteLength": array.nbytes})
+            data += array.tobytes()
+        view = len(views)
+        low, high = np.min(points, axis=0).tolist(), np.max(points, axis=0).tolist()
+        accessors += [
+            {"bufferView": view - 2, "componentType": 5126, "count": 8, "type": "VEC3", "min": low, "max": high},
+            {"bufferView": view - 1, "componentType": 5123, "count": 36, "type": "SCALAR"},
+        ]
+    counted = list(enumerate(objects))
+    content = {
+        "asset": {"version": "2.0"},
+        "scene": 0,
+        "scenes": [{"nodes": [i for i, _ in counted]}],
+        "nodes": [{"mesh": i, "matrix": matrix} for i, (_, matrix) in counted],
+        "meshes": [{"primitives": [{"attributes": {"POSITION": 2 * i}, "indices": 2 * i + 1}]} for i, _ in counted],
+        "accessors": accessors,
+        "bufferViews": views,
+        "buffers": [
+            {"byteLength": len(data), "uri": "data:application/octet-stream;base64," + base64.b64encode(data).decode()}
+        ],
+    }
+    path.write_text(json.dumps(content))
+
+
+def write_3mf(path, objects):
+    """One item for each object: its points and a matrix as 3MF has it, 12 numbers."""
+    namespace = "http://schemas.openxmlformats.org/package/2006"
+    model = "http://schemas.microsoft.com/3dmanufacturing"
+    triangles = "".join('<triangle v1="{}" v2="{}" v3="{}"/>'.format(*triangle) for triangle in BOX_TRIANGLES)
+    resources = items = ""
+    for number, (points, matrix) in enumerate(objects, 1):
+        vertices = "".join('<vertex x="{}" y="{}" z="{}"/>'.format(*point) for point in points)
+        mesh = f"<mesh><vertices>{vertices}</vertices><triangles>{triangles}</triangles></mesh>"
+        resources += f'<object id="{number}" type="model">{mesh}</object>'
+        items += f'<item objectid="{number}" transform="{matrix}"/>'
+    with zipfile.ZipFile(path, "w") as package:
+        package.writestr(
+            "[Content_Types].xml",
+            f'<?xml version="1.0" encoding="UTF-8"?><Types xmlns="{namespace}/content-types">'
+            '<Default Extension="rels" ContentType="application/vnd.openxmlformats-package.relationships+xml"/>'
+            '<Default Extension="model" ContentType="application/vnd.ms-package.3dmanufacturing-3dmodel+xml"/></Types>',
+        )
+        package.writestr(
+            "_rels/.rels",
+            f'<?xml version="1.0" encoding="UTF-8"?><Relationships xmlns="{namespace}/relationships">'
+            f'<Relationship Target="/3D/3dmodel.model" Id="rel0" Type="{model}/2013/01/3dmodel"/></Relationships>',
+        )
+        package.writestr(
+            "3D/3dmodel.model",
+            f'<?xml version="1.0" encoding="UTF-8"?><model unit="millimeter" xml:lang="en-US" '
+            f'xmlns="{model}/core/2015/02"><resources>{resources}</resources><build>{items}</build></model>',
+        )
 
 
 def run_module(*arguments, **options):

@@ -3,6 +3,7 @@
 import contextlib
 import os
 
+import numpy as np
 import pymeshlab
 
 from .plugin import FILTER, LabelError, check_values, load_plugin
@@ -32,13 +33,16 @@ class Part:
     """A mesh file in memory. Each label is cut into a copy of it, so no label sees an earlier one."""
 
     def __init__(self, path):
-        """Raises LabelError when the file cannot be read as a mesh with faces."""
+        """All objects of the file are one mesh, each where and as large as the file has it.
+
+        Raises LabelError when the file cannot be read as a mesh with faces."""
         load_plugin()
         self.path = os.fspath(path)
         self._set = pymeshlab.MeshSet()
         try:
             with _working_folder_kept():
                 self._set.load_new_mesh(self.path)
+            _unite_layers(self._set)
         except pymeshlab.PyMeshLabException as error:
             raise LabelError(f"The mesh '{self.path}' cannot be read: {_one_line(error)}") from error
         self._original = self._set.current_mesh_id()
@@ -59,6 +63,26 @@ class Part:
             self._set.delete_current_mesh()
             self._set.clear_filter_script()  # it would grow with each label
         return report
+
+
+def _unite_layers(mesh_set):
+    """Make the layers of a file one, in the file's coordinates: only one is labelled, and saved without its matrix."""
+    for layer in mesh_set:
+        matrix = layer.transform_matrix()
+        if np.array_equal(matrix, np.eye(4)):
+            continue
+        mesh_set.set_current_mesh(layer.id())
+        mesh_set.apply_filter("apply_matrix_freeze")
+        if np.linalg.det(matrix) < 0:  # a mirror image is inside out
+            mesh_set.apply_filter("meshing_invert_face_orientation", forceflip=True)
+    if len(mesh_set) > 1:
+        mesh_set.apply_filter(
+            "generate_by_merging_visible_meshes",
+            mergevisible=True,
+            deletelayer=True,
+            mergevertices=False,
+            alsounreferenced=True,
+        )
 
 
 def _apply(mesh_set, text, parameters):
