@@ -1,17 +1,21 @@
 """Files that are more than one plain mesh: several objects, matrices, textures; and what is there when a save fails."""
 
+import contextlib
 import unittest
 
 from python_support import (
+    MESHES,
     InFolder,
     box_points,
     np,
+    pymeshlab,
     read_stl,
     run_module,
     surface_faults,
     volume,
     write_3mf,
     write_gltf,
+    write_textured_box,
 )
 
 import textlabel
@@ -60,6 +64,77 @@ class Layers(InFolder):
         one = 25.4**3
         self.check(self.folder / "inch.gltf", ((100, 0, 0), (150.8, 25.4, 12.7)), one, (125, 12, 12.7))
         self.check(self.folder / "mirror.gltf", ((-40, 0, 0), (150.8, 30, 12.7)), one + 12000, (125, 12, 12.7))
+
+
+class Saves(InFolder):
+    def contents(self):
+        return {path: path.read_bytes() for path in self.folder.rglob("*") if path.is_file()}
+
+    def refused(self, part, output, *words):
+        """The folder is as it was before, file by file; also without a file or folder of ours."""
+        before = self.contents()
+        with self.assertRaises(textlabel.LabelError) as caught:
+            textlabel.label(part, "A4", self.folder / output)
+        for word in words:
+            self.assertIn(word, str(caught.exception))
+        self.assertNotIn(".textlabel-", str(caught.exception))
+        self.assertEqual(self.contents(), before)
+
+    @contextlib.contextmanager
+    def full_disk(self):
+        import resource
+
+        before = resource.getrlimit(resource.RLIMIT_FSIZE)
+        resource.setrlimit(resource.RLIMIT_FSIZE, (4096, before[1]))
+        try:
+            yield
+        finally:
+            resource.setrlimit(resource.RLIMIT_FSIZE, before)
+
+    def test_a_disk_that_is_full(self):
+        for ending in ("stl", "ply", "obj", "off"):
+            with self.subTest(ending), self.full_disk():
+                self.refused(MESHES / "bracket.stl", f"new.{ending}", f"new.{ending}", "has room")
+                (self.folder / f"old.{ending}").write_text("an earlier one")
+                self.refused(MESHES / "bracket.stl", f"old.{ending}", "has room")
+        textlabel.label(MESHES / "bracket.stl", "A4", self.folder / "old.stl")
+        self.assertEqual(surface_faults(read_stl(self.folder / "old.stl")), [])
+        self.assertEqual([path for path in self.folder.iterdir() if path.is_dir()], [])
+
+    def test_textures_come_along(self):
+        part = write_textured_box(self.folder / "part", "pictures/skin.png")
+        (self.folder / "out").mkdir()
+        for name in ("a.obj", "b.obj"):  # the second one shares the texture
+            textlabel.label(part, "A4", self.folder / "out" / name)
+        names = sorted(str(path.relative_to(self.folder / "out")) for path in (self.folder / "out").rglob("*.*"))
+        self.assertEqual(names, ["a.obj", "a.obj.mtl", "b.obj", "b.obj.mtl", "pictures/skin.png"])
+        meshes = pymeshlab.MeshSet()
+        meshes.load_new_mesh(str(self.folder / "out" / "a.obj"))
+        self.assertEqual(list(meshes.current_mesh().textures()), ["pictures/skin.png"])
+
+    def test_a_texture_of_another_part_is_kept(self):
+        light, dark = (write_textured_box(self.folder / name, shade=shade) for name, shade in (("l", 220), ("d", 40)))
+        textlabel.label(light, "A4", self.folder / "light.obj")
+        self.refused(dark, "dark.obj", "skin.png", "would replace another one", "Choose another folder")
+        self.refused(dark, "light.obj", "skin.png", "would replace another one", "Choose another folder")
+        textlabel.label(dark, "A4", self.folder / "dark.stl")  # has no textures
+
+    def test_a_texture_of_the_part_itself_is_left_alone(self):
+        part = write_textured_box(self.folder / "part")
+        texture = (part.parent / "skin.png").read_bytes()
+        textlabel.label(part, "A4", part.parent / "labelled.obj")
+        self.assertEqual((part.parent / "skin.png").read_bytes(), texture)
+        names = sorted(path.name for path in part.parent.iterdir())
+        self.assertEqual(names, ["box.mtl", "box.obj", "labelled.obj", "labelled.obj.mtl", "skin.png"])
+
+    def test_a_texture_outside_the_folder(self):
+        part = write_textured_box(self.folder / "part", "../skin.png")
+        self.refused(part, "part/out.obj", "'../skin.png'", "Put it beside the mesh")
+        meshes = pymeshlab.MeshSet()
+        meshes.load_new_mesh(str(part))
+        self.refused(meshes, "part/out.obj", "'../skin.png'", "Put it beside the mesh")
+        self.assertEqual(meshes.current_mesh().face_number(), 12)
+        textlabel.label(part, "A4", self.folder / "out.stl")
 
 
 if __name__ == "__main__":

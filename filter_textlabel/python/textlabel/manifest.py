@@ -5,12 +5,14 @@ its line goes to the manifest, then all are moved to their places. Wherever that
 without a line the file is made again; with a line it is looked for in both places and known by its hash.
 """
 
-import hashlib
 import json
 import os
 import pathlib
 import shutil
 import time
+
+from . import files
+from .files import sha256
 
 try:
     import fcntl
@@ -20,19 +22,6 @@ except ImportError:  # Windows
 NAME = "manifest.jsonl"
 UNFINISHED = ".unfinished"
 PATIENCE = 5.0  # seconds
-
-
-def sha256(path):
-    """Of a file's bytes, as hexadecimal text."""
-    with open(path, "rb") as file:
-        digest = hashlib.sha256()
-        while block := file.read(1 << 20):
-            digest.update(block)
-        return digest.hexdigest()
-
-
-class Clash(Exception):
-    """What is to be written beside a file is there already, and different; the text says what to do."""
 
 
 class Manifest:
@@ -101,36 +90,19 @@ class Manifest:
         os.replace(fresh, self.path)
 
     def commit(self, entry):
-        """Take a finished file over: its line first, then its place. Raises Clash, and takes nothing over then."""
-        self._refuse_clash(entry["file"])
+        """Take a finished file over: its line first, then its place. Raises files.Clash, and takes nothing over then."""
+        files.refuse_clash(
+            self.unfinished(entry["file"]),
+            self.folder / entry["file"],
+            "Give each part a folder by --name '{part}/{text}', or take another output folder.",
+        )
         self._file.write(_line(entry))
         os.fsync(self._file.fileno())
         self._move(entry["file"])
         self.entries[entry["file"]] = entry
 
-    def _beside(self, file):
-        """(path written, path to be) of the materials and textures of a file."""
-        waiting, target = self.unfinished(file), (self.folder / file).parent
-        written = [path for path in waiting.parent.rglob("*") if path.is_file() and path != waiting]
-        return [(path, target / path.relative_to(waiting.parent)) for path in written]
-
-    def _refuse_clash(self, file):
-        """Files share textures, and must not change each other's. Materials have the file's name in theirs."""
-        for written, target in self._beside(file):
-            own = target.name.startswith(pathlib.PurePath(file).name + ".")
-            if not own and target.exists() and not (target.is_file() and sha256(target) == sha256(written)):
-                raise Clash(
-                    f"Its texture '{written.name}' would replace another one, '{target}'. "
-                    "Give each part a folder by --name '{part}/{text}', or take another output folder."
-                )
-
     def _move(self, file):
-        """What belongs to a mesh first, so that the mesh itself says that all is there."""
-        waiting = self.unfinished(file)
-        for written, target in [*self._beside(file), (waiting, self.folder / file)]:
-            target.parent.mkdir(parents=True, exist_ok=True)
-            os.replace(written, target)
-        shutil.rmtree(waiting.parent, ignore_errors=True)
+        files.move(self.unfinished(file), self.folder / file)
 
     def finish(self, order):
         """Sort the manifest by order and leave the folder tidy."""

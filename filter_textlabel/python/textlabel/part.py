@@ -2,11 +2,17 @@
 
 import contextlib
 import os
+import pathlib
+import shutil
+import tempfile
 
 import numpy as np
 import pymeshlab
 
+from . import files
 from .plugin import FILTER, LabelError, check_values, load_plugin
+
+WITH_TEXTURES_INSIDE = (".glb", ".gltf", ".3mf")  # endings: a file of a texture's name need not be that texture
 
 
 def label(mesh, text, output=None, **parameters):
@@ -20,6 +26,8 @@ def label(mesh, text, output=None, **parameters):
     or outline could not be written, which the text says, it is labelled.
     """
     if isinstance(mesh, pymeshlab.MeshSet):
+        if output is not None and _takes_textures(output):
+            _refuse_far_textures(mesh, "the mesh")
         report = _apply(mesh, text, parameters)
         if output is not None:
             _save(mesh, output)
@@ -55,14 +63,27 @@ class Part:
     def label(self, text, output, **parameters):
         """Write the part with the text cut into it to the file output; see label()."""
         self._set.set_current_mesh(self._original)
+        if _takes_textures(output):
+            _refuse_far_textures(self._set, f"the mesh '{self.path}'")
         self._set.apply_filter("generate_copy_of_current_mesh")
         try:
             report = _apply(self._set, text, parameters)
-            _save(self._set, output)
+            _save(self._set, output, self._textures_beside(output))
         finally:
             self._set.delete_current_mesh()
             self._set.clear_filter_script()  # it would grow with each label
         return report
+
+    def _textures_beside(self, output):
+        """The part's own textures that a file beside the part can name as they are, and must not change."""
+        if self.path.lower().endswith(WITH_TEXTURES_INSIDE) or not _same_folder(self.path, output):
+            return []
+        return self.textures()
+
+
+def _same_folder(path, other):
+    folders = [os.path.dirname(os.path.abspath(name)) for name in (path, other)]
+    return os.path.isdir(folders[1]) and os.path.samefile(*folders)
 
 
 def _unite_layers(mesh_set):
@@ -109,16 +130,44 @@ def _working_folder_kept():
             os.chdir(folder)
 
 
-def _save(mesh_set, output):
+def _takes_textures(output):
+    return not os.fspath(output).lower().endswith((".stl", ".off"))
+
+
+def _refuse_far_textures(mesh_set, name):
+    """A texture is written where the mesh says, seen from the mesh; that must be within the output's folder."""
+    for texture in mesh_set.current_mesh().textures() if len(mesh_set) else ():
+        path = pathlib.PurePath(texture)
+        if path.is_absolute() or ".." in path.parts:
+            raise LabelError(
+                f"The texture '{texture}' of {name} is outside the mesh's folder. "
+                "Put it beside the mesh, and so in the file that names it."
+            )
+
+
+def _save(mesh_set, output, untouched=()):
+    """Write the current mesh, as a whole or not at all; untouched: textures that stay as they are when they are there."""
     output = os.fspath(output)
+    target = pathlib.Path(os.path.abspath(output))
+    folder = None
     try:
-        names_textures = not output.lower().endswith((".stl", ".off"))
-        mesh_set.save_current_mesh(output, save_textures=names_textures)
-    except pymeshlab.PyMeshLabException as error:
+        folder = pathlib.Path(tempfile.mkdtemp(prefix=".textlabel-", dir=target.parent))
+        waiting = folder / target.name
+        mesh_set.save_current_mesh(str(waiting), save_textures=_takes_textures(output))
+        files.leave_there(waiting, target, untouched)
+        files.refuse_clash(waiting, target, "Choose another folder.")
+        files.move(waiting, target)
+    except files.Clash as clash:
+        raise LabelError(f"'{output}' cannot be written: {clash}") from clash
+    except (OSError, pymeshlab.PyMeshLabException) as error:
+        reason = _one_line(error).replace(f"{folder}{os.sep}", f"{target.parent}{os.sep}")
         raise LabelError(
-            f"'{output}' cannot be written: {_one_line(error)} "
+            f"'{output}' cannot be written: {reason} "
             "Choose a folder that exists and has room, and a name that ends in .stl, .ply, .obj or .off."
         ) from error
+    finally:
+        if folder is not None:
+            shutil.rmtree(folder, ignore_errors=True)
 
 
 def _one_line(error):

@@ -7,7 +7,8 @@ import signal
 import sys
 
 from .crew import Crew
-from .manifest import Clash, Manifest, sha256
+from .files import Clash, sha256
+from .manifest import Manifest
 from .progress import Progress
 from .tasks import Problem, UsageError, serial_of
 

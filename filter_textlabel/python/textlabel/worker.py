@@ -5,11 +5,10 @@ The part that was labelled last stays loaded. Start: python -m textlabel.worker 
 
 import json
 import os
-import pathlib
 import sys
 
 from . import plugin
-from .manifest import sha256
+from .files import sha256
 from .part import Part
 
 
@@ -23,26 +22,13 @@ class _Bench:
         """Label one task's part; the answer, as it is sent."""
         try:
             if self._part is None or self._part.path != task["part"]:
-                part = Part(task["part"])
-                _refuse_far_textures(part)
-                self._part = part
+                self._part = Part(task["part"])
             values = {name: plugin.parse_value(name, text) for name, text in task["settings"].items()}
             os.makedirs(os.path.dirname(task["output"]), exist_ok=True)
             report = self._part.label(task["text"], task["output"], **values)
             return {"report": report, "sha256": sha256(task["output"])}
         except plugin.LabelError as error:
             return {"reason": str(error)}
-
-
-def _refuse_far_textures(part):
-    """A texture is written where the mesh says, seen from the mesh; that must be within what the task may write."""
-    for name in part.textures():
-        path = pathlib.PurePath(name)
-        if path.is_absolute() or ".." in path.parts:
-            raise plugin.LabelError(
-                f"The texture '{name}' of the mesh '{part.path}' is outside the mesh's folder. "
-                "Put it beside the mesh, and so in the file that names it."
-            )
 
 
 def main():
