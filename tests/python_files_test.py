@@ -136,6 +136,27 @@ class Saves(InFolder):
         self.assertEqual(meshes.current_mesh().face_number(), 12)
         textlabel.label(part, "A4", self.folder / "out.stl")
 
+    def test_a_texture_that_cannot_be_read(self):
+        missing = write_textured_box(self.folder / "missing")
+        (missing.parent / "skin.png").unlink()
+        blank = write_textured_box(self.folder / "blank", "my skin.png")
+        jpeg = write_textured_box(self.folder / "jpeg", "skin.jpg")
+        (jpeg.parent / "skin.jpg").write_bytes(bytes.fromhex("ffd8ffe000104a46494600010100000100010000ffd9"))
+        for part in (missing, blank, jpeg):
+            with self.subTest(part.parent.name):
+                for ending in ("obj", "ply"):
+                    self.refused(part, f"out.{ending}", str(part), "cannot be read", "beside the mesh as PNG")
+                textlabel.label(part, "A4", self.folder / f"{part.parent.name}.stl")  # has no textures
+        done = run_module("serial", missing, "--count", "1", "--output", "out", "--quiet", cwd=self.folder)
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("beside the mesh as PNG", done.stderr)
+
+    def test_a_texture_that_is_called_as_meshlab_s_own(self):
+        part = write_textured_box(self.folder / "part", "dummy.png")
+        (self.folder / "out").mkdir()
+        textlabel.label(part, "A4", self.folder / "out" / "box.obj")
+        self.assertTrue((self.folder / "out" / "dummy.png").is_file())
+
 
 if __name__ == "__main__":
     textlabel.load_plugin()

@@ -12,6 +12,7 @@ import pymeshlab
 from . import files
 from .plugin import FILTER, LabelError, check_values, load_plugin
 
+NO_TEXTURE = "dummy.png"  # what MeshLab calls the picture in place of a texture that it cannot load
 WITH_TEXTURES_INSIDE = (".glb", ".gltf", ".3mf")  # endings: a file of a texture's name need not be that texture
 
 
@@ -46,6 +47,7 @@ class Part:
         Raises LabelError when the file cannot be read as a mesh with faces."""
         load_plugin()
         self.path = os.fspath(path)
+        self._folder = os.path.dirname(os.path.abspath(self.path))
         self._set = pymeshlab.MeshSet()
         try:
             with _working_folder_kept():
@@ -64,6 +66,7 @@ class Part:
         """Write the part with the text cut into it to the file output; see label()."""
         self._set.set_current_mesh(self._original)
         if _takes_textures(output):
+            self._refuse_lost_textures()
             _refuse_far_textures(self._set, f"the mesh '{self.path}'")
         self._set.apply_filter("generate_copy_of_current_mesh")
         try:
@@ -74,16 +77,23 @@ class Part:
             self._set.clear_filter_script()  # it would grow with each label
         return report
 
+    def _refuse_lost_textures(self):
+        """MeshLab takes a picture of its own for a texture that it cannot load, and would save that one."""
+        if NO_TEXTURE in self.textures() and not os.path.isfile(os.path.join(self._folder, NO_TEXTURE)):
+            raise LabelError(
+                f"A texture of '{self.path}' cannot be read (missing, a blank in its name, or a format such as JPEG that "
+                "this MeshLab can't read). Put it beside the mesh as PNG, or write a file without textures, .stl or .off."
+            )
+
+    def _is_beside(self, output):
+        folder = os.path.dirname(os.path.abspath(output))
+        return os.path.isdir(folder) and os.path.samefile(folder, self._folder)
+
     def _textures_beside(self, output):
         """The part's own textures that a file beside the part can name as they are, and must not change."""
-        if self.path.lower().endswith(WITH_TEXTURES_INSIDE) or not _same_folder(self.path, output):
+        if self.path.lower().endswith(WITH_TEXTURES_INSIDE) or not self._is_beside(output):
             return []
         return self.textures()
-
-
-def _same_folder(path, other):
-    folders = [os.path.dirname(os.path.abspath(name)) for name in (path, other)]
-    return os.path.isdir(folders[1]) and os.path.samefile(*folders)
 
 
 def _unite_layers(mesh_set):
