@@ -123,6 +123,17 @@ class Tables(InFolder):
         for problem in problems:
             self.assertIn(words[problem.row], problem.reason)
 
+    def test_texts_that_are_too_long_for_a_file_name(self):
+        long = {2: "A" * 300, 3: "\u6f22" * 80, 4: "A" * 229}  # bytes: 300, 240 and 229, and bracket-.stl
+        rows = self.read("text\nA1\n" + "".join(f"{text}\n" for text in long.values()) + "A" * 228 + "\n")
+        made, problems = tasks.make_tasks(rows, self.plan(), self.folder)
+        self.assertEqual([task.row for task in made], [1, 5])
+        self.assertEqual([problem.row for problem in problems], list(long))
+        for problem in problems:
+            self.assertIn("--name '{part}-{n}'", problem.reason)
+        remedy, problems = tasks.make_tasks(rows, self.plan(name=Template("{part}-{n}")), self.folder)
+        self.assertEqual((len(remedy), problems), (5, []))
+
     def test_serials_that_stand_twice(self):
         for text in ("A1\nA2\nA1\n", "A1\nA1 \n", "e\u0301\n\u00e9\n"):  # the same to the eye
             with self.subTest(text), self.assertRaises(tasks.UsageError) as caught:
@@ -186,6 +197,13 @@ class CommandLine(InFolder):
         self.assertEqual(self.made(), ["bracket/A1.stl", "bracket/A4.stl", "failed.csv", "manifest.jsonl"])
         with open(self.folder / "out" / "failed.csv", encoding="utf-8", newline="") as file:
             self.assertEqual([row["row"] for row in csv.DictReader(file)], ["2", "3"])
+
+    def test_a_text_too_long_for_a_file_name_does_not_stop_the_others(self):
+        (self.folder / "t.csv").write_text("text\nA1\n" + "A" * 300 + "\nA3\n")
+        said = self.run_serial(BRACKET, "--csv", "t.csv", *PLACE, status=1)
+        self.assertIn("file name that is too long", said)
+        self.assertIn("2 made", said)
+        self.assertEqual(self.made(), ["bracket-A1.stl", "bracket-A3.stl", "failed.csv", "manifest.jsonl"])
 
     def test_what_is_refused_before_anything_starts(self):
         (self.folder / "twice.csv").write_text("text\nA1\nA2\nA1\n")

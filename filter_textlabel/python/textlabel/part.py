@@ -23,8 +23,8 @@ def label(mesh, text, output=None, **parameters):
     output: the file to write; None for a MeshSet that is to be worked on further.
     parameters: of the filter, see defaults(). A position without a placement means "Point and direction", a camera
     "Camera"; a colour, as "ff8000" or (255, 128, 0), means that raised letters get it too.
-    Returns the report. Raises LabelError; a MeshSet is then as it was, and no file is written. Only where a report, picture
-    or outline could not be written, which the text says, it is labelled.
+    Returns the report. Raises LabelError; a MeshSet is then as it was, and no file is written. Only where a report, picture,
+    outline or the output could not be written, which the text says, it is labelled.
     """
     if isinstance(mesh, pymeshlab.MeshSet):
         if output is not None and _takes_textures(output):

@@ -10,6 +10,7 @@ from . import plugin
 from .template import Template, TemplateError, file_part
 
 OWN_COLUMNS = ("part", "text", "n")
+LONGEST_NAME = 240  # bytes; most file systems take 255, and .mtl is put behind it
 
 
 class UsageError(Exception):
@@ -175,7 +176,12 @@ def _file_name(part, text, fields, plan):
     steps = name.split("/")
     if "\\" in name or any(step == "" or step.startswith(".") for step in steps):
         raise UsageError(f"The file name '{name}' would leave the output folder or be hidden. Change --name.")
-    return f"{name}.{plan.ending or part.suffix.lstrip('.') or 'stl'}"
+    file = f"{name}.{plan.ending or part.suffix.lstrip('.') or 'stl'}"
+    if any(len(os.fsencode(step)) > LONGEST_NAME for step in file.split("/")):
+        raise plugin.LabelError(
+            "The text makes a file name that is too long. Shorten it, or name the files by --name '{part}-{n}'."
+        )
+    return file
 
 
 def _refuse_duplicates(tasks):
