@@ -11,7 +11,8 @@ usage() {
 usage: label.sh [options] [--] INPUT OUTPUT TEXT
        label.sh --parameters    list the filter's parameters, for --set
 
-INPUT, OUTPUT   mesh files: STL, PLY, OBJ, OFF and what else MeshLab reads and writes
+INPUT           a mesh file: STL, PLY, OFF and what else MeshLab reads, but no OBJ, at which Debian's meshlabserver aborts
+OUTPUT          a mesh file: .stl, .ply, .obj, .off, .dae, .x3d, .wrl or .ctm
 TEXT            the text; \n breaks a line
 
 Where, by default the largest flat region that holds the text:
@@ -67,8 +68,13 @@ absolute_font() {
 	if [ -f "$file" ]; then printf '%s%s' "$(absolute "$file")" "${1#"$file"}"; else printf '%s' "$1"; fi
 }
 
-# The program that knows the parameters. $1: the plugin that it was built beside.
-script_program() { echo "${TEXTLABEL_SCRIPT:-$(dirname "$1")/textlabel_script}"; }
+# find_plugin: plugin is the filter's library, script_program the program beside it that knows the parameters.
+find_plugin() {
+	plugin=$("$here/build.sh") || refuse "The plugin could not be built (see above)."
+	script_program=$(dirname -- "$plugin")/textlabel_script
+	[ -x "$script_program" ] ||
+		refuse "'$script_program' is missing, which build.sh makes beside the plugin. Copy it too, or unset TEXTLABEL_PLUGIN."
+}
 
 while [ $# -gt 0 ]; do
 	option=$1
@@ -76,8 +82,8 @@ while [ $# -gt 0 ]; do
 	case $option in
 	--help | -h) usage; exit 0 ;;
 	--parameters)
-		plugin=$("$here/build.sh") || refuse "The plugin could not be built (see above)."
-		exec "$(script_program "$plugin")" --parameters
+		find_plugin
+		exec "$script_program" --parameters
 		;;
 	--) files+=("$@"); break ;;
 	--at | --direction | --up | --camera | --offset | --rotate | --style | --size | --depth | --along | --font | --tolerance | \
@@ -144,6 +150,9 @@ done
 # ---- what can be refused before MeshLab starts
 
 [ -f "$input" ] && [ -r "$input" ] || refuse "The mesh '$input' cannot be read. Check its name."
+if [[ ${input,,} == *.obj ]]; then
+	refuse "Debian's meshlabserver aborts at every OBJ file, so '$input' cannot be read here. Save it as .ply, or use python -m textlabel label (see README.md)."
+fi
 [ -n "$output" ] || refuse "The name of the output is empty. Give a file name."
 [ ! -d "$output" ] || refuse "The output '$output' is a folder. Give a file name."
 folder=$(dirname -- "$output")
@@ -151,6 +160,12 @@ folder=$(dirname -- "$output")
 [ -w "$folder" ] || refuse "The folder of '$output' cannot be written to. Choose another one."
 ending=${output##*.}
 [[ $ending =~ ^[A-Za-z0-9]+$ && $(basename -- "$output") == *.* ]] || refuse "The output '$output' has no ending that says its format. Name it .stl, .ply, .obj or .off."
+case ${ending,,} in
+stl | ply | obj | off | dae | x3d | wrl | ctm) ;;
+*)  # of some, as .3ds and .u3d, meshlabserver asks how in a window that nobody sees, and waits for ever
+	refuse "The format '$ending' cannot be written here. Name the output .stl, .ply, .obj, .off, .dae, .x3d, .wrl or .ctm."
+	;;
+esac
 
 work=$(mktemp -d)
 display_pid=
@@ -161,8 +176,8 @@ clean_up() {
 }
 trap clean_up EXIT
 
-plugin=$("$here/build.sh") || refuse "The plugin could not be built (see above)."
-"$(script_program "$plugin")" "${parameters[@]}" >"$work/label.mlx" || wrong "a value cannot be used"
+find_plugin
+"$script_program" "${parameters[@]}" >"$work/label.mlx" || wrong "a value cannot be used"
 
 # ---- run MeshLab
 
@@ -181,11 +196,6 @@ attributes() {
 				if (name == "texture_u" || name == "s") print in_element "t"
 				if (name == "texcoord") print "wt"
 			}' <<<"$head" | grep -xE 'vc|vq|vr|vt|wt|fc|fq' || true
-		;;
-	*.obj)
-		LC_ALL=C grep -qam1 '^vt ' -- "$input" && echo wt
-		LC_ALL=C grep -qam1 '^usemtl ' -- "$input" && echo fc
-		LC_ALL=C grep -am1 '^v ' -- "$input" | awk 'NF >= 7 { print "vc" }'
 		;;
 	*.off) head -c 4 -- "$input" | LC_ALL=C grep -qa '^COFF' && echo vc ;;
 	esac
@@ -206,7 +216,6 @@ reason=$(sed -n 's/^\(LOG: [0-9]* \)\{0,1\}Text Label: \([^{]\)/\2/p' "$work/err
 if [ ! -s "$work/labelled.$ending" ] || [ $status -ne 0 ]; then
 	cat "$work/log" "$work/errors" >&2
 	if ! grep -qa "^Mesh .* loaded has" "$work/log"; then refuse "MeshLab cannot read the mesh '$input'. Check that it is what its ending says."; fi
-	if [ $status -eq 0 ]; then refuse "MeshLab cannot write the format '$ending'. Use .stl, .ply, .obj or .off."; fi
 	refuse "MeshLab ended unexpectedly (status $status, see above). Check the mesh by opening it in MeshLab; for a very large one, that there is memory enough."
 fi
 

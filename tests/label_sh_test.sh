@@ -245,6 +245,12 @@ grep -q '<svg' flat.svg 2>/dev/null || fail "no outline"
 sed -e 's/^OFF/COFF/' -e '3,10s/$/ 10 20 30 255/' box.off >colored.off
 works colored.ply --size 5 colored.off colored.ply 'A' && head -c 400 colored.ply | grep -qa 'property uchar red' || fail "vertex colours are lost"
 
+# What --help says can be written, can.
+for ending in ply off dae x3d wrl ctm STL; do
+	works "out.$ending" --size 5 box.off "out.$ending" A
+	"$label" --help | grep -qE "\.${ending,,}\b" || fail "--help without .$ending"
+done
+
 # ---- what must be refused
 
 # refused STATUS "PATTERN" ARGUMENTS: the exit status, a message that matches, and nothing written or changed
@@ -282,7 +288,19 @@ refused 1 'does not exist' box.off nowhere/out.stl A
 refused 1 'cannot be (written|made)' box.off /proc/out.stl A
 refused 1 'is a folder' box.off "$work" A
 refused 1 'output is empty' box.off '' A
-refused 1 'format' box.off out.xyzzy A
+for ending in xyzzy 3ds u3d; do
+	refused 1 "format '$ending' cannot be written here.*\.stl, \.ply, .*\.ctm" box.off out.$ending A
+done
+printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' >some.obj
+refused 1 'every OBJ file.*\.ply.*python -m textlabel label' some.obj out.stl A
+
+# A copy of the plugin alone.
+if [ -n "${TEXTLABEL_PLUGIN:-}" ]; then built=$TEXTLABEL_PLUGIN; else built=$("$TEXTLABEL_SOURCE_DIR/filter_textlabel/build.sh"); fi
+mkdir alone && cp "$built" alone/plugin.so
+for arguments in 'box.off out.stl A' --parameters; do
+	# shellcheck disable=SC2086  # several arguments
+	TEXTLABEL_PLUGIN=alone/plugin.so refused 1 "'/.*/alone/textlabel_script' is missing.*unset TEXTLABEL_PLUGIN" $arguments
+done
 
 at=(--at 30,20,10 --size 8 --depth 0.5)
 refused 1 '[Tt]ext' "${at[@]}" box.off out.stl ''
