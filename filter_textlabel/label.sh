@@ -167,16 +167,28 @@ stl | ply | obj | off | dae | x3d | wrl | ctm) ;;
 	;;
 esac
 
-work=$(mktemp -d)
+work=$(mktemp -d) || refuse "No temporary folder can be made in '${TMPDIR:-/tmp}'. Make room there, or name another folder in TMPDIR."
+meshlab_pid=
 display_pid=
 fresh=
 clean_up() {
+	# Killed, as it has nothing to save, and waited for, as it must not write any more into what is removed.
+	if [ -n "$meshlab_pid" ]; then { kill -KILL "$meshlab_pid" && wait "$meshlab_pid"; } 2>/dev/null || true; fi
 	if [ -n "$display_pid" ]; then kill "$display_pid" 2>/dev/null || true; fi
 	rm -rf -- "$work" ${fresh:+"$fresh" "$fresh.mtl"}
 }
 trap clean_up EXIT
 
+# meshlabserver does not always see that a write failed: what is in a folder that is full afterwards may be a part only.
+check_room() { # SIZE
+	if ! head -c "$1" /dev/zero 2>/dev/null >"$work/room" || grep -qsa "has NOT been saved" "$work/log"; then
+		refuse "MeshLab cannot write the whole mesh to '$(dirname -- "$work")'. Make room there, or name another folder in TMPDIR."
+	fi
+	rm -- "$work/room"
+}
+
 find_plugin
+check_room 512K  # a copy of meshlabserver comes first
 "$script_program" "${parameters[@]}" >"$work/label.mlx" || wrong "a value cannot be used"
 
 # ---- run MeshLab
@@ -208,11 +220,15 @@ status=0
 # The plain name of the output is for MeshLab; the true one may hold anything.
 {
 	LC_ALL=C.UTF-8 XDG_RUNTIME_DIR="$work" "$work/tree/bin/meshlabserver" -i "$(absolute "$input")" -s "$work/label.mlx" \
-		-o "$work/labelled.$ending" ${carried[@]:+-m "${carried[@]}"} >"$work/log" 2>"$work/errors" || status=$?
+		-o "$work/labelled.$ending" ${carried[@]:+-m "${carried[@]}"} >"$work/log" 2>"$work/errors" &
+	meshlab_pid=$!
+	wait "$meshlab_pid" || status=$?  # in the background, as a signal would otherwise be heard only after its end
+	meshlab_pid=
 } 2>/dev/null  # what the shell says about a program that aborts
 # The filter's lines and the log's, from their beginning: the report holds the text, which may say anything.
 reason=$(sed -n 's/^\(LOG: [0-9]* \)\{0,1\}Text Label: \([^{]\)/\2/p' "$work/errors" | head -n 1)
 [ -z "$reason" ] || refuse "$reason"
+check_room 64K
 if [ ! -s "$work/labelled.$ending" ] || [ $status -ne 0 ]; then
 	cat "$work/log" "$work/errors" >&2
 	if ! grep -qa "^Mesh .* loaded has" "$work/log"; then refuse "MeshLab cannot read the mesh '$input'. Check that it is what its ending says."; fi

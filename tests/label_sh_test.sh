@@ -7,7 +7,7 @@ done
 label=$TEXTLABEL_SOURCE_DIR/filter_textlabel/label.sh
 judge=$TEXTLABEL_SOURCE_DIR/tests/oracle_admesh.sh
 work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
+trap 'umount "$work/small" 2>/dev/null; rm -rf "$work"' EXIT
 cd "$work" || exit 1
 failures=0
 fail() {
@@ -300,6 +300,43 @@ mkdir alone && cp "$built" alone/plugin.so
 for arguments in 'box.off out.stl A' --parameters; do
 	# shellcheck disable=SC2086  # several arguments
 	TEXTLABEL_PLUGIN=alone/plugin.so refused 1 "'/.*/alone/textlabel_script' is missing.*unset TEXTLABEL_PLUGIN" $arguments
+done
+
+# A full temporary folder: no part of a mesh.
+mkdir small
+if mount -t tmpfs -o size=600k tmpfs small 2>mounted; then
+	for ending in stl ply; do
+		TMPDIR=$work/small refused 1 "whole mesh to '$work/small'.*TMPDIR" --size 14 "$TEXTLABEL_SOURCE_DIR/meshes/bracket.stl" out.$ending A43
+	done
+	umount small
+else
+	echo "not checked: a full temporary folder, as none can be mounted ($(cat mounted))"
+fi
+
+# A signal ends meshlabserver too, also one that hangs, and leaves nothing in the temporary folder.
+mkdir signalled
+awk 'BEGIN {  # a large one, so that meshlabserver is seen at work
+	n = 400; print "OFF"; print n * n, 2 * (n - 1) * (n - 1), 0
+	for (i = 0; i < n; i++) for (j = 0; j < n; j++) print i, j, 0
+	for (i = 0; i < n - 1; i++) for (j = 0; j < n - 1; j++) { a = i * n + j; print 3, a, a + n, a + 1; print 3, a + n, a + n + 1, a + 1 }
+}' >large.off
+meshlab_of() { # FOLDER: the process that runs from a tree in it
+	find /proc -maxdepth 2 -path '/proc/[0-9]*/exe' -lname "$1/*/meshlabserver" 2>/dev/null | cut -d/ -f3
+}
+for signal in TERM HUP INT; do
+	TMPDIR=$work/signalled env --default-signal=$signal "$label" --size 5 large.off out.stl A >said 2>&1 &
+	running=$!
+	meshlab=
+	while [ -z "$meshlab" ] && kill -0 $running 2>/dev/null; do meshlab=$(meshlab_of "$work/signalled"); done
+	[ -n "$meshlab" ] && kill -STOP "$meshlab" || { fail "no meshlabserver seen"; continue; }
+	kill -$signal $running
+	for _ in $(seq 100); do kill -0 $running || break; sleep 0.1; done 2>/dev/null  # here the shell also says how it ended
+	if kill -0 "$meshlab" 2>/dev/null; then
+		fail "meshlabserver outlives label.sh after SIG$signal"
+		kill -KILL "$meshlab"
+	fi
+	{ wait $running; } 2>/dev/null && fail "exit 0 after SIG$signal"
+	[ -z "$(ls -A signalled)" ] || fail "left after SIG$signal: $(ls signalled)"
 done
 
 at=(--at 30,20,10 --size 8 --depth 0.5)
