@@ -198,7 +198,7 @@ attributes() {
 	local head
 	case ${input,,} in
 	*.ply)
-		head=$(head -c 65536 -- "$input" | LC_ALL=C sed -n '/^end_header/q; p' | tr -d '\0')
+		head=$(head -c 65536 -- "$input" | LC_ALL=C sed -n '/^end_header/q; p' | tr -d '\0\r')
 		awk '$1 == "element" { in_element = substr($2, 1, 1) }
 			$1 == "property" {
 				name = $NF
@@ -209,7 +209,14 @@ attributes() {
 				if (name == "texcoord") print "wt"
 			}' <<<"$head" | grep -xE 'vc|vq|vr|vt|wt|fc|fq' || true
 		;;
-	*.off) head -c 4 -- "$input" | LC_ALL=C grep -qa '^COFF' && echo vc ;;
+	*.off)
+		LC_ALL=C awk '{ gsub(/#.*|\r/, "") }
+			NF == 0 { next }
+			!header { header = $1; if (header ~ /C.*OFF/) print "vc"; if (NF == 1) next; $1 = ""; $0 = $0 }
+			!counted { counted = 1; vertices = $1; next }
+			vertices > 0 { vertices--; next }
+			NF == $1 + 4 || NF == $1 + 5 { print "fc"; exit }' "$(absolute "$input")"
+		;;
 	esac
 }
 mapfile -t carried < <({ attributes || true; echo "$colors"; } | sort -u | sed '/^$/d')

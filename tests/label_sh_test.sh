@@ -244,6 +244,25 @@ grep -q '<svg' flat.svg 2>/dev/null || fail "no outline"
 # Colours of the input are still there.
 sed -e 's/^OFF/COFF/' -e '3,10s/$/ 10 20 30 255/' box.off >colored.off
 works colored.ply --size 5 colored.off colored.ply 'A' && head -c 400 colored.ply | grep -qa 'property uchar red' || fail "vertex colours are lost"
+colored_faces() { # FILE.ply: a colour is declared behind the faces
+	sed '/^end_header/q' "$1" | tr -d '\0' | sed '1,/^element face/d' | grep -qa 'property uchar red'
+}
+for color in '10 20 30' '10 20 30 255' '0.1 0.2 0.3 1.0'; do
+	sed "11,\$s/\$/ $color/" box.off >faces.off
+	works colored.ply --size 5 faces.off colored.ply 'A' && colored_faces colored.ply || fail "face colours '$color' are lost"
+done
+sed -e 's/^OFF/# a comment\n\nCOFF/' -e '3,10s/$/ 10 20 30 255/' -e 's/$/\r/' box.off >colored.off
+works colored.ply --size 5 colored.off colored.ply 'A' && head -c 400 colored.ply | grep -qa 'property uchar red' ||
+	fail "vertex colours behind a comment are lost"
+works plain.ply --size 5 box.off plain.ply 'A' && ! grep -qa 'property uchar red' plain.ply || fail "colours came from nowhere"
+{
+	printf 'ply\nformat ascii 1.0\nelement vertex 8\nproperty float x\nproperty float y\nproperty float z\n'
+	printf 'property uchar blue\nproperty uchar green\nproperty uchar red\n'
+	printf 'element face 12\nproperty list uchar int vertex_indices\nend_header\n'
+	sed -n -e '3,10s/$/ 30 20 10/p' -e '11,$p' box.off
+} | sed 's/$/\r/' >crlf.ply
+works colored.ply --size 5 crlf.ply colored.ply 'A' && head -c 400 colored.ply | grep -qa 'property uchar red' ||
+	fail "colours of a PLY file with CRLF are lost"
 
 # What --help says can be written, can.
 for ending in ply off dae x3d wrl ctm STL; do
