@@ -4,6 +4,7 @@ import contextlib
 import unittest
 
 from python_support import (
+    BOX_TRIANGLES,
     MESHES,
     InFolder,
     box_points,
@@ -19,6 +20,7 @@ from python_support import (
 )
 
 import textlabel
+from textlabel.part import _unite_layers
 
 IDENTITY = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]
 PLACE = {"size": 7, "depth": 1, "direction": (0, 0, 1)}
@@ -64,6 +66,18 @@ class Layers(InFolder):
         one = 25.4**3
         self.check(self.folder / "inch.gltf", ((100, 0, 0), (150.8, 25.4, 12.7)), one, (125, 12, 12.7))
         self.check(self.folder / "mirror.gltf", ((-40, 0, 0), (150.8, 30, 12.7)), one + 12000, (125, 12, 12.7))
+
+    def test_an_object_without_colours_beside_one_that_has_some(self):
+        meshes = pymeshlab.MeshSet()
+        red = np.tile([1.0, 0, 0, 1], (12, 1))
+        points = np.array(box_points(2, 2, 2), float)
+        meshes.add_mesh(pymeshlab.Mesh(points, BOX_TRIANGLES, f_color_matrix=red))
+        meshes.load_new_mesh(str(MESHES / "bracket.stl"))
+        count = meshes.current_mesh().face_number()
+        _unite_layers(meshes)
+        colors = meshes.current_mesh().face_color_matrix()
+        self.assertEqual(len(meshes), 1)
+        np.testing.assert_array_equal(colors, np.vstack([red, np.ones((count, 4))]))
 
 
 class Saves(InFolder):

@@ -90,7 +90,7 @@ class Manifest:
         os.replace(fresh, self.path)
 
     def commit(self, entry):
-        """Take a finished file over: its line first, then its place. Raises files.Clash, and takes nothing over then."""
+        """Take a finished file over: its line first, then its place. Raises Clash, and takes nothing over then."""
         files.refuse_clash(
             self.unfinished(entry["file"]),
             self.folder / entry["file"],

@@ -81,8 +81,9 @@ class Part:
         """MeshLab takes a picture of its own for a texture that it cannot load, and would save that one."""
         if NO_TEXTURE in self.textures() and not os.path.isfile(os.path.join(self._folder, NO_TEXTURE)):
             raise LabelError(
-                f"A texture of '{self.path}' cannot be read (missing, a blank in its name, or a format such as JPEG that "
-                "this MeshLab can't read). Put it beside the mesh as PNG, or write a file without textures, .stl or .off."
+                f"A texture of '{self.path}' cannot be read (missing, a blank in its name, or a format such as JPEG "
+                "that this MeshLab can't read). Put it beside the mesh as PNG, "
+                "or write a file without textures, .stl or .off."
             )
 
     def _is_beside(self, output):
@@ -106,6 +107,11 @@ def _unite_layers(mesh_set):
         mesh_set.apply_filter("apply_matrix_freeze")
         if np.linalg.det(matrix) < 0:  # a mirror image is inside out
             mesh_set.apply_filter("meshing_invert_face_orientation", forceflip=True)
+    colored = [layer.has_face_color() for layer in mesh_set]
+    for layer, has_colors in zip(mesh_set, colored):
+        if any(colored) and not has_colors:  # merged as it is, its faces would have any colours
+            mesh_set.set_current_mesh(layer.id())
+            _color_faces(mesh_set)
     if len(mesh_set) > 1:
         mesh_set.apply_filter(
             "generate_by_merging_visible_meshes",
@@ -114,6 +120,14 @@ def _unite_layers(mesh_set):
             mergevertices=False,
             alsounreferenced=True,
         )
+
+
+def _color_faces(mesh_set):
+    """Give the current mesh's faces the colours of their vertices, or white when it has none at all."""
+    if mesh_set.current_mesh().has_vertex_color():
+        mesh_set.apply_filter("compute_color_transfer_vertex_to_face")
+    else:
+        mesh_set.apply_filter("compute_color_by_function_per_face", r="255", g="255", b="255", a="255")
 
 
 def _apply(mesh_set, text, parameters):
@@ -156,7 +170,10 @@ def _refuse_far_textures(mesh_set, name):
 
 
 def _save(mesh_set, output, untouched=()):
-    """Write the current mesh, as a whole or not at all; untouched: textures that stay as they are when they are there."""
+    """Write the current mesh, as a whole or not at all.
+
+    untouched: textures that stay as they are when they are there.
+    """
     output = os.fspath(output)
     target = pathlib.Path(os.path.abspath(output))
     folder = None
