@@ -397,8 +397,18 @@ refused 1 'as text|not XML' --camera bytes.xml box.off out.stl A
 refused 1 'VCGCamera|not XML' --camera other.xml box.off out.stl A
 refused 1 'RotationMatrix is missing' --camera incomplete.xml box.off out.stl A
 refused 1 'not a rotation' --camera scaled.xml box.off out.stl A
+: >blank.xml
+refused 2 'VCGCamera' --camera blank.xml box.off out.stl A
 refused 1 'Current view needs' --set placement=current box.off out.stl A
 refused 1 'not be written|cannot be written' "${at[@]}" --report nowhere/report.json box.off out.stl A
+
+# ---- the same font in every locale, also where any will do
+
+"$label" "${at[@]}" --font sans-serif box.off plain.stl A || fail "sans-serif"
+for language in ja fa; do
+	FC_LANG=$language "$label" "${at[@]}" --font sans-serif box.off local.stl A && cmp plain.stl local.stl ||
+		fail "another label where the language is $language"
+done
 
 [ $failures -eq 0 ] && echo "all as it should be"
 exit $((failures > 0))
