@@ -136,10 +136,11 @@ bool IsAsked(const FcPattern* font, const FontRequest& request)
 	const bool named = IsGeneric(request.family) || Names(font, FC_FAMILY, request.family) ||
 	                   Names(font, FC_FULLNAME, request.family) || Names(font, FC_POSTSCRIPT_NAME, request.family);
 	// Fontconfig's rules call a font bold or oblique that whoever draws it is to make so
-	FcMatrix* sheared = nullptr;
+	FcMatrix* sheared = nullptr;  // of a bitmap font only its scale
 	FcBool emboldened = FcFalse;
 	FcPatternGetBool(font, FC_EMBOLDEN, 0, &emboldened);
-	const bool isSynthetic = emboldened || FcPatternGetMatrix(font, FC_MATRIX, 0, &sheared) == FcResultMatch;
+	const bool isSheared = FcPatternGetMatrix(font, FC_MATRIX, 0, &sheared) == FcResultMatch && sheared->xy != 0;
+	const bool isSynthetic = emboldened || isSheared;
 	return named && !isSynthetic && HasStyle(font, request);
 }
 
