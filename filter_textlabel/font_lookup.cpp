@@ -93,8 +93,8 @@ Pattern PatternFor(const FontRequest& request)
 		for (const StyleValue& v : *values) FcPatternAddInteger(pattern.get(), v.object.c_str(), v.value);
 	} else FcPatternAddString(pattern.get(), FC_STYLE, Bytes(request.style));
 	FcPatternAddBool(pattern.get(), FC_OUTLINE, FcTrue);
-	FcPatternAddString(pattern.get(), FC_LANG,
-	                   Bytes("und"));  // else Fontconfig adds the languages of the user's locale
+	// any language: Fontconfig would add those of the user's locale
+	FcPatternAddString(pattern.get(), FC_LANG, Bytes("und"));
 	// a family may be installed both as a variable font and as one file for each weight
 	if (!request.axes.empty()) FcPatternAddBool(pattern.get(), FC_VARIABLE, FcTrue);
 	return pattern;
@@ -131,17 +131,20 @@ bool HasStyle(const FcPattern* font, const FontRequest& request)
 	       std::all_of(values->begin(), values->end(), [font](const StyleValue& v) { return HasValue(font, v); });
 }
 
+/// Fontconfig's rules call a font bold or oblique that whoever draws it is to make so.
+bool IsSynthetic(const FcPattern* font)
+{
+	FcBool emboldened = FcFalse;
+	FcPatternGetBool(font, FC_EMBOLDEN, 0, &emboldened);
+	FcMatrix* matrix = nullptr;  // a bitmap font has one, too, for its scale
+	return emboldened || (FcPatternGetMatrix(font, FC_MATRIX, 0, &matrix) == FcResultMatch && matrix->xy != 0);
+}
+
 bool IsAsked(const FcPattern* font, const FontRequest& request)
 {
 	const bool named = IsGeneric(request.family) || Names(font, FC_FAMILY, request.family) ||
 	                   Names(font, FC_FULLNAME, request.family) || Names(font, FC_POSTSCRIPT_NAME, request.family);
-	// Fontconfig's rules call a font bold or oblique that whoever draws it is to make so
-	FcMatrix* sheared = nullptr;  // of a bitmap font only its scale
-	FcBool emboldened = FcFalse;
-	FcPatternGetBool(font, FC_EMBOLDEN, 0, &emboldened);
-	const bool isSheared = FcPatternGetMatrix(font, FC_MATRIX, 0, &sheared) == FcResultMatch && sheared->xy != 0;
-	const bool isSynthetic = emboldened || isSheared;
-	return named && !isSynthetic && HasStyle(font, request);
+	return named && !IsSynthetic(font) && HasStyle(font, request);
 }
 
 std::string DisplayName(const FcPattern* font) { return Text(font, FC_FAMILY) + ":" + Text(font, FC_STYLE); }

@@ -10,6 +10,7 @@
 #include <unistd.h>
 #include "embedded_font.h"
 #include "text_outline.h"
+#include "text_refusal.h"
 #include "text_support.h"
 
 using namespace textlabel;
@@ -194,6 +195,14 @@ TEST(BadFont, IsNamedAsSuch)
 	EXPECT_EQ(CodeWith(FontFile("").path()), TextErrorCode::NotAFont);
 	EXPECT_EQ(CodeWith(FontFile("\x89PNG\r\n\x1a\n0000IHDR some picture").path()), TextErrorCode::NotAFont);
 	EXPECT_EQ(CodeWith(FontFile(std::string(100000, 'x')).path()), TextErrorCode::NotAFont);
+	// a header that says that it unpacks to 4 GB
+	const std::string packed = std::string("wOFF\0\1\0\0", 8) + std::string(8, '\0') + std::string(4, '\xFF');
+	const FontFile bomb(packed + std::string(100, '\0'));
+	TextOptions options;
+	options.font = bomb.path();
+	const TextError tooLarge = text_support::ErrorOf("A", options);
+	EXPECT_EQ(tooLarge.code, TextErrorCode::NotAFont);
+	EXPECT_NE(tooLarge.detail.find("too large"), std::string::npos) << tooLarge.detail;
 	const std::string folder = testing::TempDir() + "/" + std::to_string(getpid()) + "-folder.ttf";
 	std::filesystem::create_directory(folder);
 	EXPECT_EQ(CodeWith(folder), TextErrorCode::NotAFont);

@@ -222,6 +222,8 @@ TEST(LabelSpace, RefusesWhatIsNoFrame)
 		[&](LabelFrame& f) {
 			f.toWorld = Layer({1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, infinity, 0});
 		},
+		[&](LabelFrame& f) { f.toWorld.ElementAt(3, 3) = 2; },
+		[&](LabelFrame& f) { f.toWorld.ElementAt(3, 0) = 0.1; },
 	};
 	for (size_t i = 0; i < spoil.size(); ++i) {
 		LabelFrame f;

@@ -54,6 +54,8 @@ CHECKED = [
     ("colour of two numbers", "A", {"color": (0, 1)}, ["color", "(0, 1)"]),
     ("direction alone", "A", {"direction": [0, 0, 1]}, ["direction alone", "position"]),
     ("direction and camera", "A", {"direction": [0, 0, 1], "camera": "x"}, ["direction alone", "position"]),
+    ("camera without text", "A", {"camera": " \n"}, ["camera", "empty"]),
+    ("beginning of two styles", "A", {"style": "e"}, ["style", "Emboss, Engrave"]),
     ("unknown parameter", "A", {"sise": 3}, ["sise", "Did you mean size"]),
     ("unknown style", "A", {"style": "carve"}, ["style", "Engrave", "carve"]),
     ("half a character", "A\ud800", {}, ["text"]),

@@ -6,10 +6,10 @@
 
 #include "contour.h"
 #include "label_error.h"
+#include "plane_box.h"
 #include "predicates.h"
 
 #include <algorithm>
-#include <vcg/space/box2.h>
 
 namespace vcg::textlabel {
 
@@ -61,21 +61,21 @@ inline bool AreNeighbours(const Outline& outline, const OutlineSegment& s, const
 	return s.contour == t.contour && ((s.index + 1) % n == t.index || (t.index + 1) % n == s.index);
 }
 
-inline std::vector<vcg::Box2d> BoxesOfContours(const Outline& outline)
+inline std::vector<PlaneBox> BoxesOfContours(const Outline& outline)
 {
-	std::vector<vcg::Box2d> boxes(outline.contours.size());
+	std::vector<PlaneBox> boxes(outline.contours.size());
 	for (size_t c = 0; c < boxes.size(); ++c)
-		for (const vcg::Point2d& p : outline.contours[c].points) boxes[c].Add(p);
+		for (const vcg::Point2d& p : outline.contours[c].points) boxes[c].add(p);
 	return boxes;
 }
 
 /// How often the other contours go round a point (exact).
-inline int WindingAround(const Outline& outline, const std::vector<vcg::Box2d>& boxes, size_t except,
+inline int WindingAround(const Outline& outline, const std::vector<PlaneBox>& boxes, size_t except,
                          const vcg::Point2d& p)
 {
 	int winding = 0;
 	for (size_t c = 0; c < outline.contours.size(); ++c) {
-		if (c == except || !boxes[c].IsIn(p)) continue;
+		if (c == except || !boxes[c].holds(p)) continue;
 		const auto& q = outline.contours[c].points;
 		for (size_t i = 0, j = q.size() - 1; i < q.size(); j = i++) {
 			if ((q[j][1] > p[1]) == (q[i][1] > p[1])) continue;
@@ -93,7 +93,7 @@ inline void RequireGoodOutline(const Outline& outline)
 	const auto refuse = [&](int contour, const char* why) {
 		throw Error(ErrorCode::BadContour, why).atLetter(outline.contours[size_t(contour)].letter);
 	};
-	const std::vector<vcg::Box2d> boxes = detail::BoxesOfContours(outline);
+	const std::vector<PlaneBox> boxes = detail::BoxesOfContours(outline);
 	for (size_t c = 0; c < outline.contours.size(); ++c) {
 		const auto& points = outline.contours[c].points;
 		const double area = TwiceSignedArea(points);

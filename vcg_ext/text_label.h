@@ -29,9 +29,9 @@ struct LabelResult {
 	double room =
 		0;  ///< to the next surface behind the letters along the rays, world units; infinite when there is none, and
 			///< when none lies within the depth and LabelOptions::measureRoom is off
-	vcg::Box3d movedFrom,
-		newPlaces;                ///< where old vertices were that moved with the letters, where these and the new ones
-								  ///< are now; mesh coordinates, null when there are none
+	vcg::Box3d
+		movedFrom;  ///< where old vertices were that moved with the letters; mesh coordinates, null when none did
+	vcg::Box3d newPlaces;         ///< where these and the new vertices are now; mesh coordinates
 	double resolution = 0;        ///< world units: no point of a contour was moved by more
 	int attempts = 1;             ///< placements tried within the resolution
 	bool survivesFloat32 = true;  ///< false: a double mesh whose letters only double coordinates carry

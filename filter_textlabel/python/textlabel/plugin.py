@@ -123,6 +123,8 @@ def check_values(values):
     """
     checked = {name: check_value(name, value) for name, value in values.items()}
     check_place(checked)
+    if "camera" in checked and not checked["camera"].strip() and "position" not in checked:
+        raise LabelError("The camera's text is empty. Give that of a camera, or the position and direction of one.")
     if "camera" in checked:
         checked.setdefault("placement", CHOICES["placement"].index("Camera"))
     if "position" in checked or "direction" in checked:
@@ -172,14 +174,18 @@ def _text(value):
 
 
 def _choice(name, value):
-    """A choice's number, from itself, its name in any case, or the beginning of its name."""
+    """A choice's number, from itself, its name in any case, or a beginning that no other name has."""
     names = CHOICES[name]
     if isinstance(value, int) and not isinstance(value, bool) and 0 <= value < len(names):
         return value
     if isinstance(value, str) and value.strip():
-        for number, known in enumerate(names):
-            if known.lower().startswith(value.strip().lower()) or value.strip() == str(number):
-                return number
+        meant = [
+            number
+            for number, known in enumerate(names)
+            if known.lower().startswith(value.strip().lower()) or value.strip() == str(number)
+        ]
+        if len(meant) == 1:
+            return meant[0]
     raise LabelError(f"The parameter {name} takes one of {', '.join(names)}, not {value!r}.")
 
 
