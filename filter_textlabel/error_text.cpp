@@ -156,7 +156,8 @@ std::string ErrorText(const Error& error, const ErrorContext& context)
 	case ErrorCode::BadFrame:
 		return "The label's place is not well defined (" + error.message +
 		       "). Give a finite position, a direction that is not zero, an up "
-		       "that is not parallel to it, and a camera outside the part.";
+		       "that is not parallel to it, a camera outside the part, and a layer whose matrix moves, turns and "
+		       "scales only.";
 	case ErrorCode::BadHeight:
 		if (error.value > 0 && error.value <= error.limit)
 			return "The depth " + Figure(error.value) + " is finer than the coordinates of the mesh can carry here (" +
