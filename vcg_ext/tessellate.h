@@ -14,6 +14,9 @@
 #include <cstdint>
 #include <memory>
 #include <vcg/space/point3.h>
+#ifdef _MSC_VER
+#include <intrin.h>
+#endif
 
 namespace vcg::textlabel {
 
@@ -45,13 +48,15 @@ private:
 	bool clipEars(const std::vector<vcg::Point2d>& plane, const std::vector<vcg::Point3d>& space, const int* ring,
 	              int corners);
 	void pairEdges();
+	void measureShapes(const std::vector<vcg::Point2d>& plane, const std::vector<vcg::Point3d>& space);
 
 	GluPointer glu_;
 	std::vector<std::array<double, 3>> coordinates_;
 	std::vector<int> corners_;
 	std::vector<IndexTriangle> triangles_;
-	std::vector<double> shape_;  ///< #triangles_, while they are improved
-	std::vector<int> twin_, pending_;
+	std::vector<double> shape_;  ///< #triangles_, while they are improved; 0 where one is not counter-clockwise
+	std::vector<int> twin_;      ///< #triangles_*3: the half-edge on the other side, or -1
+	std::vector<int> pending_;
 	std::vector<int> table_;  ///< scratch: half-edges by their corners
 	bool crossed_ = false;
 };
@@ -66,6 +71,23 @@ inline double Shape(const std::vector<vcg::Point3d>& space, int a, int b, int c)
 }
 
 // ---------------------------------------------------------------------------------------------------------------------------
+
+namespace detail {
+
+/// The lowest bit that is set.
+/// @param[in] bits  not 0
+inline int FirstBit(std::uint32_t bits)
+{
+#ifdef _MSC_VER
+	unsigned long first;
+	_BitScanForward(&first, bits);
+	return int(first);
+#else
+	return __builtin_ctz(bits);
+#endif
+}
+
+}  // namespace detail
 
 inline Tessellator::Tessellator() : glu_(gluNewTess(), gluDeleteTess)
 {
@@ -132,6 +154,8 @@ inline void Tessellator::triangulate(const std::vector<vcg::Point2d>& plane, con
 		triangles_.clear();
 		for (size_t i = 0; i < corners_.size(); i += 3)
 			triangles_.push_back({corners_[i], corners_[i + 1], corners_[i + 2]});
+		pairEdges();
+		measureShapes(plane, space);
 	}
 	improve(plane, space);
 	triangles.insert(triangles.end(), triangles_.begin(), triangles_.end());
@@ -160,53 +184,86 @@ inline bool Tessellator::splitQuad(const std::vector<vcg::Point2d>& plane, const
 /// Cut ears off a small ring without holes, the best-shaped first; false when it can't be done, as with a ring that touches itself.
 /// That all triangles are counter-clockwise is proof enough: their edges cancel but for the ring, so they cover each point as often
 /// as the ring winds round it. What lies within an ear is asked only to find a way that ends.
+/// @post  triangles_, shape_ and twin_ belong together
 inline bool Tessellator::clipEars(const std::vector<vcg::Point2d>& plane, const std::vector<vcg::Point3d>& space,
                                   const int* ring, int corners)
 {
-	std::array<int, mostEars> left;
-	std::copy(ring, ring + corners, left.begin());
-	std::array<double, mostEars> shape;  // of the triangle at each corner; 0 where it is not convex
-	std::array<char, mostEars> isEar;
-	int n = corners;
-	const auto at = [&](int i) { return left[size_t(i < 0 ? i + n : i < n ? i : i - n)]; };
-	const auto side = [&](int a, int b, int c) {
-		return Orient2d(plane[size_t(a)], plane[size_t(b)], plane[size_t(c)]);
+	using Mask = std::uint32_t;  // a bit for each corner of the ring
+	static_assert(mostEars <= 32);
+	struct Corner {
+		vcg::Point2d plane;
+		double shape;  // of the triangle with the corners beside it; 0 where it is not convex
+		int point, before, after;
+		int outer;  // the half-edge of a cut ear that lies along the edge to the corner after it, or -1
 	};
-	const auto shapeAt = [&](int i) {
-		const int a = at(i - 1), b = at(i), c = at(i + 1);
-		return side(a, b, c) > 0 ? Shape(space, a, b, c) : 0.0;
+	std::array<Corner, mostEars> all;
+	Mask repeated = 0;  // corners whose point is another corner's, too
+	for (int i = 0; i < corners; ++i) {
+		all[size_t(i)] = {plane[size_t(ring[i])],      0, ring[i], i > 0 ? i - 1 : corners - 1,
+		                  i + 1 < corners ? i + 1 : 0, -1};
+		for (int k = 0; k < i; ++k)
+			if (ring[k] == ring[i]) repeated |= Mask(1) << i | Mask(1) << k;
+	}
+	const auto corner = [&](int i) -> Corner& { return all[size_t(i)]; };
+	const auto side = [&](const Corner& a, const Corner& b, const Corner& c) {
+		return Orient2d(a.plane, b.plane, c.plane);
 	};
-	const auto isEarAt = [&](int i) {
-		if (!(shape[size_t(i)] > 0)) return false;
-		const int a = at(i - 1), b = at(i), c = at(i + 1);
-		for (int k = 0; k < n; ++k) {
-			// of the corners within a triangle, the one furthest from the cut is not convex, so only those need a look
-			const int p = left[size_t(k)];
-			const bool isConvex = shape[size_t(k)] > 0 && p != a && p != b && p != c;
-			if (k == i || k == (i + 1) % n || k == (i + n - 1) % n || isConvex) continue;
+	Mask convex = 0, ears = 0, left = Mask((std::uint64_t(1) << corners) - 1);
+	const auto lookAt = [&](int i) {
+		Corner& b = corner(i);
+		const Corner &a = corner(b.before), &c = corner(b.after);
+		b.shape = side(a, b, c) > 0 ? Shape(space, a.point, b.point, c.point) : 0;
+		convex = b.shape > 0 ? convex | Mask(1) << i : convex & ~(Mask(1) << i);
+	};
+	const auto isEar = [&](int i) {
+		const Corner &b = corner(i), &a = corner(b.before), &c = corner(b.after);
+		if (!(b.shape > 0)) return false;
+		// of the corners within a triangle, the one furthest from the cut is not convex, so only those need a look
+		const Mask own = Mask(1) << i | Mask(1) << b.before | Mask(1) << b.after;
+		for (Mask rest = left & (~convex | repeated) & ~own; rest; rest &= rest - 1) {
+			const int k = detail::FirstBit(rest);
+			const Corner& p = corner(k);
+			const bool isConvex = convex >> k & 1;
+			if (isConvex && p.point != a.point && p.point != b.point && p.point != c.point) continue;
 			if (side(a, b, p) >= 0 && side(b, c, p) >= 0 && side(c, a, p) >= 0) return false;
 		}
 		return true;
 	};
-	for (int i = 0; i < n; ++i) shape[size_t(i)] = shapeAt(i);
-	for (int i = 0; i < n; ++i) isEar[size_t(i)] = isEarAt(i);
+	const auto judge = [&](int i) { ears = isEar(i) ? ears | Mask(1) << i : ears & ~(Mask(1) << i); };
+	for (int i = 0; i < corners; ++i) lookAt(i);
+	for (int i = 0; i < corners; ++i) judge(i);
 	triangles_.clear();
-	while (n > 3) {
-		int best = -1;
-		for (int i = 0; i < n; ++i)
-			if (isEar[size_t(i)] && (best < 0 || shape[size_t(i)] > shape[size_t(best)])) best = i;
-		if (best < 0) return false;
-		triangles_.push_back({at(best - 1), at(best), at(best + 1)});
-		std::copy(left.begin() + best + 1, left.begin() + n, left.begin() + best);
-		std::copy(shape.begin() + best + 1, shape.begin() + n, shape.begin() + best);
-		std::copy(isEar.begin() + best + 1, isEar.begin() + n, isEar.begin() + best);
-		--n;
-		const int beside[2] = {(best + n - 1) % n, best % n};
-		for (const int i : beside) shape[size_t(i)] = shapeAt(i);
-		for (const int i : beside) isEar[size_t(i)] = isEarAt(i);
+	shape_.clear();
+	twin_.clear();
+	const auto add = [&](int i, int beyond) {  // the triangle at a corner, and the half-edge across from it
+		const Corner &b = corner(i), &a = corner(b.before), &c = corner(b.after);
+		for (const int outer : {a.outer, b.outer, beyond}) {
+			if (outer >= 0) twin_[size_t(outer)] = int(twin_.size());
+			twin_.push_back(outer);
+		}
+		triangles_.push_back({a.point, b.point, c.point});
+		shape_.push_back(b.shape);
+	};
+	for (int n = corners; n > 3; --n) {
+		if (!ears) return false;
+		int best = detail::FirstBit(ears);
+		for (Mask rest = ears & (ears - 1); rest; rest &= rest - 1)
+			if (corner(detail::FirstBit(rest)).shape > corner(best).shape) best = detail::FirstBit(rest);
+		add(best, -1);
+		const int a = corner(best).before, c = corner(best).after;
+		corner(a).after = c;
+		corner(c).before = a;
+		corner(a).outer = int(twin_.size()) - 1;
+		left &= ~(Mask(1) << best);
+		ears &= ~(Mask(1) << best);
+		lookAt(a);
+		lookAt(c);
+		judge(a);
+		judge(c);
 	}
-	triangles_.push_back({left[0], left[1], left[2]});
-	return side(left[0], left[1], left[2]) > 0;
+	const int last = corner(detail::FirstBit(left)).after;
+	add(last, corner(corner(last).after).outer);
+	return side(corner(corner(last).before), corner(last), corner(corner(last).after)) > 0;
 }
 
 /// Half-edges of an edge meet in a hash table; what is found does not depend on its order.
@@ -234,10 +291,17 @@ inline void Tessellator::pairEdges()
 	}
 }
 
+inline void Tessellator::measureShapes(const std::vector<vcg::Point2d>& plane, const std::vector<vcg::Point3d>& space)
+{
+	shape_.clear();
+	for (const auto& [a, b, c] : triangles_)
+		shape_.push_back(Orient2d(plane[size_t(a)], plane[size_t(b)], plane[size_t(c)]) > 0 ? Shape(space, a, b, c)
+		                                                                                    : 0);
+}
+
 // Flip an edge when the worse of its two triangles gets better by it. The sorted list of shapes grows with each flip, so it ends.
 inline void Tessellator::improve(const std::vector<vcg::Point2d>& plane, const std::vector<vcg::Point3d>& space)
 {
-	pairEdges();
 	const auto next = [](int h) { return h % 3 == 2 ? h - 2 : h + 1; };
 	const auto corner = [&](int h) -> int& { return triangles_[size_t(h / 3)][size_t(h % 3)]; };
 	const auto join = [&](int g, int h) {
@@ -247,9 +311,6 @@ inline void Tessellator::improve(const std::vector<vcg::Point2d>& plane, const s
 	const auto isCounterClockwise = [&](int a, int b, int c) {
 		return Orient2d(plane[size_t(a)], plane[size_t(b)], plane[size_t(c)]) > 0;
 	};
-	shape_.clear();
-	for (const IndexTriangle& t : triangles_)
-		shape_.push_back(isCounterClockwise(t[0], t[1], t[2]) ? Shape(space, t[0], t[1], t[2]) : 0);
 	pending_.clear();
 	for (int h = 0; h < int(twin_.size()); ++h)
 		if (twin_[size_t(h)] > h) pending_.push_back(h);
