@@ -12,11 +12,13 @@
 // Pure planar code on indices; no mesh.
 
 #include "contour.h"
+#include "plane_box.h"
 #include "predicates.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace vcg::textlabel {
@@ -210,9 +212,11 @@ inline void TriangleWalk::nestLoops(const TriangleCase& c, RegionSet& out)
 	const int count = c.loops.size(), outer = int(out.regions.size());
 	order_.resize(size_t(count));
 	std::vector<double> area(static_cast<size_t>(count));
+	std::vector<PlaneBox> box(static_cast<size_t>(count));
 	for (int i = 0; i < count; ++i) {
 		order_[size_t(i)] = i;
 		area[size_t(i)] = twiceArea(c, c.loops.begin(i), c.loops.end(i));
+		for (const int* id = c.loops.begin(i); id != c.loops.end(i); ++id) box[size_t(i)].add(c.points[size_t(*id)]);
 	}
 	std::sort(order_.begin(), order_.end(), [&](int x, int y) {
 		const double ax = std::abs(area[size_t(x)]), ay = std::abs(area[size_t(y)]);
@@ -223,15 +227,19 @@ inline void TriangleWalk::nestLoops(const TriangleCase& c, RegionSet& out)
 	for (int k = 0; k < count; ++k) {
 		const int loop = order_[size_t(k)];
 		const vcg::Point2d& p = c.points[size_t(*c.loops.begin(loop))];
-		for (int j = k - 1; j >= 0 && parent_[size_t(k)] < 0; --j)
-			if (isInRing(c, c.loops.begin(order_[size_t(j)]), c.loops.end(order_[size_t(j)]), p))
+		for (int j = k - 1; j >= 0 && parent_[size_t(k)] < 0; --j) {
+			const int around = order_[size_t(j)];
+			if (box[size_t(around)].holds(p) && isInRing(c, c.loops.begin(around), c.loops.end(around), p))
 				parent_[size_t(k)] = outer + j;
+		}
 		for (int r = 0; r < outer && parent_[size_t(k)] < 0; ++r) {
 			const int ring = out.regions[size_t(r)].firstRing;
 			if (outer == 1 || isInRing(c, out.rings.begin(ring), out.rings.end(ring), p)) parent_[size_t(k)] = r;
 		}
 		if (parent_[size_t(k)] < 0) throw WalkConflict{"a loop lies in no region", *c.loops.begin(loop)};
 	}
+	std::vector<int> child(size_t(outer + count), -1), sibling(static_cast<size_t>(count), -1);  // first one, next one
+	for (int k = count - 1; k >= 0; --k) sibling[size_t(k)] = std::exchange(child[size_t(parent_[size_t(k)])], k);
 	// rewrite the regions with their holes behind them
 	holes_ = out.rings;
 	std::vector<RegionSet::Region> regions(size_t(outer + count));
@@ -245,8 +253,7 @@ inline void TriangleWalk::nestLoops(const TriangleCase& c, RegionSet& out)
 		if (loop >= 0 && side == Side::Outside) std::reverse(ring_.begin(), ring_.end());
 		for (const int id : ring_) out.rings.add(id);
 		out.rings.close();
-		for (int k = 0; k < count; ++k) {
-			if (parent_[size_t(k)] != r) continue;
+		for (int k = child[size_t(r)]; k >= 0; k = sibling[size_t(k)]) {
 			const int hole = order_[size_t(k)];
 			const Side around = area[size_t(hole)] > 0 ? Side::Outside : Side::Inside;
 			if (side == Side::Unknown) side = around;
