@@ -11,6 +11,8 @@
 
 #include "label_cut.h"
 
+#include <unordered_map>
+
 namespace vcg::textlabel {
 
 /// Collapse the edges of a cut that are too short to survive rounding.
@@ -26,17 +28,6 @@ bool FlipCaps(Sheet& sheet, const std::vector<int>& triangles, double thinnest);
 // ---------------------------------------------------------------------------------------------------------------------------
 
 namespace detail {
-
-/// Whether every face of the mesh around a vertex is a candidate: then its neighbours are known.
-inline bool IsFanWhole(const Sheet& sheet, int v)
-{
-	for (int i = sheet.vertexStart[size_t(v)]; i < sheet.vertexStart[size_t(v) + 1]; ++i) {
-		const int t = sheet.vertexFan[size_t(i)];
-		for (int h = 3 * t; h < 3 * t + 3; ++h)
-			if (sheet.twin[size_t(h)] < 0 && (sheet.from(h) == v || sheet.to(h) == v)) return false;
-	}
-	return true;
-}
 
 /// One cut, while its short edges are collapsed.
 class EdgeCollapser {
@@ -160,6 +151,99 @@ private:
 	std::vector<int> gone_;
 };
 
+/// A sheet, while caps are flipped away. Its half-edges are kept as they should be; its fans are not.
+class CapFlipper {
+public:
+	CapFlipper(Sheet& sheet, double thinnest) : sheet_(sheet), thinnest_(thinnest) {}
+
+	/// Flip a triangle's longest edge when it is a cap and may go.
+	bool flip(int t)
+	{
+		if (isFlipped(t)) return false;
+		int longest = 3 * t;
+		for (int h = 3 * t; h < 3 * t + 3; ++h)
+			if ((at(sheet_.to(h)) - at(sheet_.from(h))).SquaredNorm() >
+			    (at(sheet_.to(longest)) - at(sheet_.from(longest))).SquaredNorm())
+				longest = h;
+		const int other = sheet_.twin[size_t(longest)], g = other / 3;
+		if (other < 0 || isFlipped(g) || !sheet_.triangles[size_t(g)].facing) return false;
+		//      c            the cap: a b c, beside it: b a d;  after the flip: a d c and d b c
+		//    a   b
+		//      d
+		const int a = sheet_.from(longest), b = sheet_.to(longest), c = sheet_.from(Sheet::Previous(longest)),
+				  d = sheet_.from(Sheet::Previous(other));
+		const vcg::Point3d along = at(b) - at(a);
+		const double length = along.Norm(), height = (along ^ (at(c) - at(a))).Norm() / length,
+					 foot = along * (at(c) - at(a)) / length;
+		if (!(height < thinnest_ && foot > thinnest_ && foot < length - thinnest_) || c == d) return false;
+		if (!isFanWhole(c) && !isFanWhole(d)) return false;
+		const auto facing = [&](int p, int q, int r) {
+			return Orient2d(sheet_.plane(p), sheet_.plane(q), sheet_.plane(r)) > 0;
+		};
+		if (!facing(a, d, c) || !facing(d, b, c)) return false;
+		for (const int near : fan(c))
+			for (const int v : sheet_.triangles[size_t(near)].vertex)
+				if (v == d) return false;  // c and d are neighbours already, on the far side of the part
+		sheet_.triangles[size_t(t)].facing = true;
+		sheet_.triangles[size_t(t)].birth =
+			sheet_.triangles[size_t(g)].birthFace();  // the cap had no area to show its own
+		turn(longest, other, {a, d, c}, {d, b, c});
+		const auto move = [&](int triangle, int from, int to) {
+			std::vector<int>& left = fan(from);
+			left.erase(std::find(left.begin(), left.end(), triangle));
+			fan(to).push_back(triangle);
+		};
+		move(t, b, d);
+		move(g, a, c);
+		for (const int changed : {t, g})
+			sheet_.flipped.insert(std::lower_bound(sheet_.flipped.begin(), sheet_.flipped.end(), changed), changed);
+		return true;
+	}
+
+private:
+	const vcg::Point3d& at(int v) const { return sheet_.vertices[size_t(v)].mesh; }
+	bool isFlipped(int t) const { return std::binary_search(sheet_.flipped.begin(), sheet_.flipped.end(), t); }
+	/// The candidates around a vertex as they are now.
+	std::vector<int>& fan(int v)
+	{
+		const auto [found, isNew] = fans_.try_emplace(v);
+		if (isNew)
+			found->second.assign(sheet_.vertexFan.begin() + sheet_.vertexStart[size_t(v)],
+			                     sheet_.vertexFan.begin() + sheet_.vertexStart[size_t(v) + 1]);
+		return found->second;
+	}
+	/// Whether every face of the mesh around a vertex is a candidate: then its neighbours are known.
+	bool isFanWhole(int v)
+	{
+		for (const int t : fan(v))
+			for (int h = 3 * t; h < 3 * t + 3; ++h)
+				if (sheet_.twin[size_t(h)] < 0 && (sheet_.from(h) == v || sheet_.to(h) == v)) return false;
+		return true;
+	}
+	/// Give two neighbours their new corners: h is a-b of abc, g is b-a of bad.
+	void turn(int h, int g, const std::array<int, 3>& adc, const std::array<int, 3>& dbc)
+	{
+		const int t = h / 3 * 3, s = g / 3 * 3;
+		const int bc = sheet_.twin[size_t(Sheet::Next(h))], ca = sheet_.twin[size_t(Sheet::Previous(h))],
+				  ad = sheet_.twin[size_t(Sheet::Next(g))], db = sheet_.twin[size_t(Sheet::Previous(g))];
+		sheet_.triangles[size_t(t / 3)].vertex = adc;
+		sheet_.triangles[size_t(s / 3)].vertex = dbc;
+		const auto join = [&](int halfEdge, int across) {
+			sheet_.twin[size_t(halfEdge)] = across;
+			if (across >= 0) sheet_.twin[size_t(across)] = halfEdge;
+		};
+		join(t, ad);
+		join(t + 1, s + 2);
+		join(t + 2, ca);
+		join(s, db);
+		join(s + 1, bc);
+	}
+
+	Sheet& sheet_;
+	double thinnest_;                                 ///< mesh units
+	std::unordered_map<int, std::vector<int>> fans_;  ///< of the vertices asked for
+};
+
 }  // namespace detail
 
 inline void CollapseShortEdges(const Sheet& sheet, CutLabel& cut, double shortest)
@@ -184,42 +268,10 @@ inline void CollapseShortEdges(const Sheet& sheet, CutLabel& cut, double shortes
 inline bool FlipCaps(Sheet& sheet, const std::vector<int>& triangles, double thinnest)
 {
 	if (!sheet.mayFlip) return false;
-	const auto at = [&](int v) -> const vcg::Point3d& { return sheet.vertices[size_t(v)].mesh; };
+	detail::CapFlipper flipper(sheet, thinnest);
 	bool flipped = false;
-	for (const int t : triangles) {
-		if (std::binary_search(sheet.flipped.begin(), sheet.flipped.end(), t)) continue;
-		int longest = 3 * t;
-		for (int h = 3 * t; h < 3 * t + 3; ++h)
-			if ((at(sheet.to(h)) - at(sheet.from(h))).SquaredNorm() >
-			    (at(sheet.to(longest)) - at(sheet.from(longest))).SquaredNorm())
-				longest = h;
-		const int g = sheet.twin[size_t(longest)];
-		if (g < 0 || std::binary_search(sheet.flipped.begin(), sheet.flipped.end(), g / 3)) continue;
-		const int a = sheet.from(longest), b = sheet.to(longest), c = sheet.from(Sheet::Previous(longest)),
-				  d = sheet.from(Sheet::Previous(g));
-		const vcg::Point3d along = at(b) - at(a);
-		const double length = along.Norm(), height = (along ^ (at(c) - at(a))).Norm() / length,
-					 foot = along * (at(c) - at(a)) / length;
-		if (!(height < thinnest && foot > thinnest && foot < length - thinnest) || c == d) continue;
-		if (!detail::IsFanWhole(sheet, c) && !detail::IsFanWhole(sheet, d)) continue;
-		const auto facing = [&](int p, int q, int r) {
-			return Orient2d(sheet.plane(p), sheet.plane(q), sheet.plane(r)) > 0;
-		};
-		if (!sheet.triangles[size_t(g / 3)].facing || !facing(a, d, c) || !facing(d, b, c)) continue;
-		bool joined = false;  // c and d may be neighbours already, on the far side of the part
-		for (int i = sheet.vertexStart[size_t(c)]; i < sheet.vertexStart[size_t(c) + 1]; ++i)
-			for (const int v : sheet.triangles[size_t(sheet.vertexFan[size_t(i)])].vertex) joined = joined || v == d;
-		if (joined) continue;
-		sheet.triangles[size_t(t)].vertex = {a, d, c};
-		sheet.triangles[size_t(g / 3)].vertex = {d, b, c};
-		sheet.triangles[size_t(t)].facing = true;
-		sheet.triangles[size_t(t)].birth =
-			sheet.triangles[size_t(g / 3)].birthFace();  // the cap had no area to show its own
-		for (const int changed : {t, g / 3})
-			sheet.flipped.insert(std::lower_bound(sheet.flipped.begin(), sheet.flipped.end(), changed), changed);
-		detail::LinkTriangles(sheet);
-		flipped = true;
-	}
+	for (const int t : triangles) flipped = flipper.flip(t) || flipped;
+	if (flipped) detail::LinkTriangles(sheet);
 	return flipped;
 }
 
