@@ -6,7 +6,6 @@
 
 #include "label_check.h"
 #include "vcg_ext/label_seed.h"
-#include "vcg_ext/plane_grid.h"
 
 namespace {
 
@@ -54,41 +53,6 @@ TEST(Layer, AnotherShellBelowIsNoMember)
 	const Layered l(both, 8, 6);
 	EXPECT_TRUE(l.layer.isSingle);
 	EXPECT_EQ(l.members(), Layered(upper, 8, 6).members());
-}
-
-TEST(PlaneGrid, FindsWhatTheBruteForceFinds)
-{
-	std::vector<PlaneBox> boxes;
-	const auto box = [](double x, double y, double w, double h) {
-		PlaneBox b;
-		b.add({x, y});
-		b.add({x + w, y + h});
-		return b;
-	};
-	for (int i = 0; i < 400; ++i)
-		boxes.push_back(box(7 * std::sin(1.1 * i), 5 * std::cos(2.3 * i), 0.02 * (i % 17), i % 40 == 0 ? 9 : 0.1));
-	PlaneGrid grid(boxes);
-	for (int q = 0; q < 300; ++q) {
-		const PlaneBox around = box(9 * std::cos(0.7 * q), 8 * std::sin(1.9 * q), 0.05 * (q % 30), 0.1 * (q % 7));
-		std::vector<int> found, expected;
-		grid.query(around, [&](int i) { found.push_back(i); });
-		for (int i = 0; i < int(boxes.size()); ++i)
-			if (boxes[size_t(i)].meets(around)) expected.push_back(i);
-		std::sort(found.begin(), found.end());
-		EXPECT_EQ(found, expected) << q;
-	}
-}
-
-TEST(PlaneGrid, HoldsBoxesThatAllMeet)
-{
-	PlaneBox whole;
-	whole.add({-1, -1});
-	whole.add({1, 1});
-	constexpr size_t count = 60000;  // each in all of 244 x 244 cells: more than an int counts
-	PlaneGrid grid(std::vector<PlaneBox>(count, whole));
-	size_t found = 0;
-	grid.query(whole, [&](int) { ++found; });
-	EXPECT_EQ(found, count);
 }
 
 }  // namespace

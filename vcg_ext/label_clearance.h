@@ -34,19 +34,12 @@ Clearance MeasureClearance(const LabelSpace& space, const Sheet& sheet, const Cu
 namespace detail {
 
 /// The corners of a candidate in the label plane, counter-clockwise also when it shows its back.
-inline std::array<vcg::Point2d, 3> CornersInPlane(const Sheet& sheet, int triangle)
+inline PlaneTriangle CornersInPlane(const Sheet& sheet, int triangle)
 {
 	const SheetTriangle& t = sheet.triangles[size_t(triangle)];
 	const vcg::Point2d &a = sheet.plane(t.vertex[0]), &b = sheet.plane(t.vertex[1]), &c = sheet.plane(t.vertex[2]);
 	if (t.facing) return {a, b, c};
 	return {a, c, b};
-}
-
-inline PlaneBox BoxOfTriangle(const std::array<vcg::Point2d, 3>& corner)
-{
-	PlaneBox box;
-	for (const vcg::Point2d& p : corner) box.add(p);
-	return box;
 }
 
 /// Label space: the largest z of a candidate, which no point of it exceeds.
@@ -90,7 +83,7 @@ struct SmallPolygon {
 };
 
 /// Whether an edge of one triangle keeps the other one beyond it, `sliver` of overlap forgiven. @pre both counter-clockwise
-inline bool AreApart(const std::array<vcg::Point2d, 3>& s, const std::array<vcg::Point2d, 3>& t, double sliver)
+inline bool AreApart(const PlaneTriangle& s, const PlaneTriangle& t, double sliver)
 {
 	for (size_t k = 0; k < 3; ++k) {
 		const vcg::Point2d edge = s[(k + 1) % 3] - s[k];
@@ -115,10 +108,9 @@ inline double FarthestZ(const Sheet& sheet, const CutLabel& cut)
 
 /// The letters' surface as triangles of the label plane.
 struct LetterSurface {
-	std::vector<std::array<vcg::Point2d, 3>> plane;
+	std::vector<PlaneTriangle> plane;
 	std::vector<int> parent;       ///< sheet triangle that each is a piece of
 	std::vector<double> farthest;  ///< label space: least z of each
-	std::vector<PlaneBox> box;
 
 	LetterSurface(const Sheet& sheet, const CutLabel& cut)
 	{
@@ -133,7 +125,6 @@ struct LetterSurface {
 		plane.push_back({a.plane, b.plane, c.plane});
 		parent.push_back(from);
 		farthest.push_back(std::min({a.label[2], b.label[2], c.label[2]}));
-		box.push_back(BoxOfTriangle(plane.back()));
 	}
 };
 
@@ -161,10 +152,10 @@ inline Clearance MeasureClearance(const LabelSpace& space, const Sheet& sheet, c
 		if (isDeep(farthest)) continue;
 		if (!letters) {
 			letters = std::make_unique<detail::LetterSurface>(sheet, cut);
-			grid = std::make_unique<PlaneGrid>(letters->box);
+			grid = std::make_unique<PlaneGrid>(letters->plane);
 		}
-		const std::array<vcg::Point2d, 3> corner = detail::CornersInPlane(sheet, t);
-		grid->query(detail::BoxOfTriangle(corner), [&](int s) {
+		const PlaneTriangle corner = detail::CornersInPlane(sheet, t);
+		grid->query(corner, 0, [&](int s) {
 			if (letters->parent[size_t(s)] == t || isDeep(letters->farthest[size_t(s)])) return;
 			const auto& letter = letters->plane[size_t(s)];
 			if (detail::AreApart(letter, corner, resolution) || detail::AreApart(corner, letter, resolution)) return;

@@ -193,19 +193,19 @@ private:
 		const auto see = [&](int v) { return space_.project(space_.toLabel(position_[size_t(v)])); };
 		for (const auto& m : patch_.moved) plane[size_t(m.first)] = see(m.first);
 		while (plane.size() < position_.size()) plane.push_back(see(int(plane.size())));
-		const auto boxOf = [&](int number) {
-			PlaneBox box;
-			for (const int v : vertices(number)) box.add(plane[size_t(v)]);
-			box.grow(rounding * std::max({-box.low[0], -box.low[1], box.high[0], box.high[1]}));
-			return box;
+		double largest = 0;
+		for (const vcg::Point2d& p : plane) largest = std::max({largest, std::abs(p[0]), std::abs(p[1])});
+		const auto seen = [&](int number) {
+			const IndexTriangle& v = vertices(number);
+			return PlaneTriangle{plane[size_t(v[0])], plane[size_t(v[1])], plane[size_t(v[2])]};
 		};
-		std::vector<PlaneBox> boxes;
-		for (const int i : mine) boxes.push_back(boxOf(i));
-		PlaneGrid grid(std::move(boxes));
+		std::vector<PlaneTriangle> triangles;
+		for (const int i : mine) triangles.push_back(seen(i));
+		PlaneGrid grid(triangles);
 		std::vector<int> near;
 		for (const int i : others) {
 			bool isNear = false;
-			grid.query(boxOf(i), [&](int) { isNear = true; });
+			grid.query(seen(i), rounding * largest, [&](int) { isNear = true; });
 			if (isNear) near.push_back(i);
 		}
 		return near;

@@ -208,16 +208,17 @@ struct TriangleGroup {
 	std::unique_ptr<PlaneGrid> grid;  // most labels need none
 
 	template <class Use>
-	void query(const Sheet& sheet, const PlaneBox& around, Use&& use)
+	void query(const Sheet& sheet, const PlaneTriangle& around, double reach, Use&& use, const PlaneBox& without = {})
 	{
 		if (triangle.empty()) return;
 		if (!grid) {
-			std::vector<PlaneBox> boxes;
-			boxes.reserve(triangle.size());
-			for (const int t : triangle) boxes.push_back(BoxOfTriangle(CornersInPlane(sheet, t)));
-			grid = std::make_unique<PlaneGrid>(std::move(boxes));
+			std::vector<PlaneTriangle> corners;
+			corners.reserve(triangle.size());
+			for (const int t : triangle) corners.push_back(CornersInPlane(sheet, t));
+			grid = std::make_unique<PlaneGrid>(corners);
 		}
-		grid->query(around, [&](int i) { use(triangle[size_t(i)]); });
+		grid->query(
+			around, reach, [&](int i) { use(triangle[size_t(i)]); }, without);
 	}
 };
 
@@ -225,7 +226,8 @@ struct TriangleGroup {
 inline std::vector<std::array<int, 2>> FindNearPairs(const Sheet& sheet, const SheetLayer& layer,
                                                      const std::vector<int>& changed, double sunk, double slack)
 {
-	TriangleGroup inside, rim;  // of the layer's box: the layer keeps its members apart only there
+	TriangleGroup inside, rim;  // members, of the layer's box: the layer keeps its members apart only there
+	TriangleGroup strangers;
 	const auto farthest = [&](int t) {
 		const auto& v = sheet.triangles[size_t(t)].vertex;
 		const auto z = [&](size_t k) { return sheet.vertices[size_t(v[k])].label[2]; };
@@ -234,24 +236,26 @@ inline std::vector<std::array<int, 2>> FindNearPairs(const Sheet& sheet, const S
 	double deepest = std::numeric_limits<double>::infinity();
 	for (const int t : changed) {
 		const bool isInside = layer.has(t) && layer.box.holds(BoxOfTriangle(CornersInPlane(sheet, t)));
-		(isInside ? inside : rim).triangle.push_back(t);
+		(isInside ? inside : layer.has(t) ? rim : strangers).triangle.push_back(t);
 		deepest = std::min(deepest, farthest(t));
 	}
 	std::vector<std::array<int, 2>> pairs;
 	for (int t = 0; t < int(sheet.triangles.size()); ++t) {
 		const bool isMember = layer.has(t);
 		const double nearest = NearestZ(sheet, t);
-		if ((isMember && rim.triangle.empty()) || nearest < deepest) continue;
-		PlaneBox box = BoxOfTriangle(CornersInPlane(sheet, t));
-		if (isMember && layer.box.holds(box))
-			continue;  // overlaps no member: not within the box, and it is nowhere else
-		box.grow(slack);
+		if (nearest < deepest) continue;
+		const PlaneTriangle corners = CornersInPlane(sheet, t);
 		const auto judge = [&](int other) {
 			if (other == t || nearest < farthest(other)) return;
 			if (!ArePlainlyApart(sheet, other, t, slack)) pairs.push_back({other, t});
 		};
-		rim.query(sheet, box, judge);
-		if (!isMember) inside.query(sheet, box, judge);
+		strangers.query(sheet, corners, slack, judge);
+		if (!isMember) {
+			rim.query(sheet, corners, slack, judge);
+			inside.query(sheet, corners, slack, judge);
+		} else if (!layer.box.holds(BoxOfTriangle(corners))) {  // else it overlaps no member: that would be in the box
+			rim.query(sheet, corners, slack, judge, layer.box);
+		}
 	}
 	return pairs;
 }
