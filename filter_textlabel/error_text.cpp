@@ -213,7 +213,8 @@ std::string ErrorText(const RequestError& error)
 		return "The direction is zero. Give a vector from the surface to the viewer, for example 0 0 1 for a label "
 			   "read from above.";
 	case RequestProblem::UpAlongDirection:
-		return "The parameter up is parallel to the direction. Give an up that points across it, or 0 0 0 to have one "
+		return "The parameter up points along the line of sight. Give an up that points across it, or 0 0 0 to have "
+			   "one "
 			   "chosen.";
 	case RequestProblem::PointMissesPart:
 		return "No face looks to the viewer on the line through the position along the direction. Move the position "

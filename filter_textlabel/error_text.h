@@ -13,8 +13,7 @@ namespace textlabel {
 /// What a sentence needs beside the error.
 struct ErrorContext {
 	std::vector<std::string> letters;  ///< UTF-8, index = Error::letter
-	double size = 0;                   ///< capital height that was tried, mesh units; 0: unknown
-	double depth = 0;                  ///< signed height that was tried, mesh units
+	double depth = 0;                  ///< signed height that was tried, world units
 	bool isMade = false;               ///< the label is in the mesh: what failed came after it
 };
 

@@ -48,8 +48,9 @@ bool Names(const FcPattern* pattern, const char* object, const std::string& name
 	return false;
 }
 
-bool IsGeneric(const std::string& family)
+bool IsGeneric(std::string family)
 {
+	for (char& c : family) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
 	static const char* const kGeneric[] = {"sans-serif", "sans",    "serif",   "monospace",
 	                                       "mono",       "cursive", "fantasy", "system-ui"};
 	return std::find(std::begin(kGeneric), std::end(kGeneric), family) != std::end(kGeneric);
@@ -142,8 +143,7 @@ bool IsSynthetic(const FcPattern* font)
 
 bool IsAsked(const FcPattern* font, const FontRequest& request)
 {
-	const bool named = IsGeneric(request.family) || Names(font, FC_FAMILY, request.family) ||
-	                   Names(font, FC_FULLNAME, request.family) || Names(font, FC_POSTSCRIPT_NAME, request.family);
+	const bool named = IsGeneric(request.family) || Names(font, FC_FAMILY, request.family);
 	return named && !IsSynthetic(font) && HasStyle(font, request);
 }
 
@@ -169,6 +169,35 @@ FontSource SourceOf(const FcPattern* font, const std::vector<AxisSetting>& axes)
 	return source;
 }
 
+/// A font that is asked for by the name that it has by itself: "DejaVu Sans Bold", "DejaVuSans-Bold".
+/// @return null when there is none; of several, as of two versions, the first file
+Pattern FindByFullName(const FontRequest& request)
+{
+	Pattern first(nullptr, FcPatternDestroy);
+	if (!request.style.empty()) return first;
+	const auto place = [](const FcPattern* font) {
+		int index = 0;
+		FcPatternGetInteger(font, FC_INDEX, 0, &index);
+		return std::make_pair(Text(font, FC_FILE), index);
+	};
+	for (const char* object : {FC_FULLNAME, FC_POSTSCRIPT_NAME}) {
+		const Pattern pattern(FcPatternCreate(), FcPatternDestroy);
+		FcPatternAddString(pattern.get(), object, Bytes(request.family));
+		FcPatternAddBool(pattern.get(), FC_OUTLINE, FcTrue);
+		const std::unique_ptr<FcObjectSet, void (*)(FcObjectSet*)> objects(
+			FcObjectSetBuild(FC_FILE, FC_INDEX, FC_FULLNAME, FC_POSTSCRIPT_NAME, nullptr), FcObjectSetDestroy);
+		const FontSet fonts(FcFontList(nullptr, pattern.get(), objects.get()), FcFontSetDestroy);
+		for (int i = 0; fonts && i < fonts->nfont; ++i) {
+			FcPattern* const font = fonts->fonts[i];
+			if (!Names(font, object, request.family) || (first && place(first.get()) <= place(font))) continue;
+			FcPatternReference(font);
+			first.reset(font);
+		}
+		if (first) return first;
+	}
+	return first;
+}
+
 FontSource FindFamily(const FontRequest& request)
 {
 	const Pattern pattern = PatternFor(request);
@@ -176,10 +205,13 @@ FontSource FindFamily(const FontRequest& request)
 	FcResult result = FcResultNoMatch;
 	const Pattern font(FcFontMatch(nullptr, pattern.get(), &result), FcPatternDestroy);
 	if (!font || Text(font.get(), FC_FILE).empty()) throw TextError(TextErrorCode::FontNotFound).ofFont(request.text);
-	if (!IsAsked(font.get(), request))
-		throw TextError(TextErrorCode::FontSubstituted).ofFont(request.text).insteadOf(DisplayName(font.get()));
-	return SourceOf(font.get(), request.axes);
+	if (IsAsked(font.get(), request)) return SourceOf(font.get(), request.axes);
+	if (const Pattern named = FindByFullName(request)) return SourceOf(named.get(), request.axes);
+	throw TextError(TextErrorCode::FontSubstituted).ofFont(request.text).insteadOf(DisplayName(font.get()));
 }
+
+/// What such a character means is for each font to say: that of another font would be another sign.
+bool IsPrivateUse(char32_t c) { return (c >= 0xE000 && c <= 0xF8FF) || c >= 0xF0000; }
 
 bool HasAll(const FcPattern* font, const std::u32string& characters)
 {
@@ -205,7 +237,10 @@ FontSource FindFont(const FontRequest& request)
 bool FindFallback(const std::u32string& characters, const FontRequest& request,
                   const std::function<bool(FontSource)>& take)
 {
+	if (std::any_of(characters.begin(), characters.end(), IsPrivateUse)) return false;
 	const Pattern pattern = PatternFor(request);
+	const bool isBuiltIn = request.family.empty() && request.file.empty();
+	if (isBuiltIn) FcPatternAddInteger(pattern.get(), FC_WEIGHT, FC_WEIGHT_BOLD);
 	const CharSet set(FcCharSetCreate(), FcCharSetDestroy);
 	for (const char32_t c : characters) FcCharSetAddChar(set.get(), c);
 	FcPatternAddCharSet(pattern.get(), FC_CHARSET, set.get());

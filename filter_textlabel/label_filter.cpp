@@ -100,6 +100,11 @@ void Label(MeshDocument& document, const LabelRequest& request, vcg::CallBackPos
 	if (!request.picture.empty()) DrawPicture(model.cm, job, report);
 }
 
+std::string Spoilt(const std::string& what)
+{
+	return "Refused: " + what + ". The mesh may be incomplete; load it again.";
+}
+
 /// The one place where exceptions become sentences.
 template <class Work>
 std::string Guarded(const Work& work)
@@ -121,10 +126,11 @@ std::string Guarded(const Work& work)
 		return context.isMade ? told("not enough memory.")
 		                      : ErrorText(vcg::textlabel::Error(vcg::textlabel::ErrorCode::OutOfMemory));
 	} catch (const std::exception& error) {
-		return std::string("Something unexpected happened: ") + error.what() +
-		       ". The mesh may be incomplete; load it again.";
+		const std::string what = std::string("something unexpected happened (") + error.what() + ")";
+		return context.isMade ? told(what + ".") : Spoilt(what);
 	} catch (...) {
-		return "Something unexpected happened. The mesh may be incomplete; load it again.";
+		const std::string what = "something unexpected happened";
+		return context.isMade ? told(what + ".") : Spoilt(what);
 	}
 }
 
@@ -162,12 +168,17 @@ QString FilterDescription()
 int FilterPostCondition()
 {
 	return MeshModel::MM_VERTCOORD | MeshModel::MM_VERTNUMBER | MeshModel::MM_FACENUMBER | MeshModel::MM_FACEVERT |
-	       MeshModel::MM_FACENORMAL | MeshModel::MM_VERTNORMAL | MeshModel::MM_FACEFLAGSELECT;
+	       MeshModel::MM_FACENORMAL | MeshModel::MM_VERTNORMAL | MeshModel::MM_FACEFLAGSELECT | MeshModel::MM_FACECOLOR;
 }
 
 void AddFilterParameters(const MeshModel& model, RichParameterList& list)
 {
-	AddParameters(HasWindow() ? WindowDefaults(BoxesOf(model.cm, MatrixOf(model.cm)).world) : LabelRequest(), list);
+	LabelRequest defaults;
+	Guarded(
+		[&](ErrorContext&) {  // this is MeshLab's own process, and a dialog without defaults that fit is better than none
+			if (HasWindow()) defaults = WindowDefaults(BoxesOf(model.cm, MatrixOf(model.cm)).world);
+		});
+	AddParameters(defaults, list);
 }
 
 FilterOutcome ApplyFilter(MeshDocument& document, const RichParameterList& list, vcg::CallBackPos* progress,
@@ -191,6 +202,10 @@ FilterOutcome ApplyFilter(MeshDocument& document, const RichParameterList& list,
 #else
 		host.log(Shown(PythonCall(outcome.report.request)));
 #endif
+		const LabelRequest& used = outcome.report.request;
+		if (HasWindow() && (used.style == LabelStyle::Flat || used.tint))
+			Say("the letters have their colour. To see it here, choose Color: Face in the pane beside this window.",
+			    host.log);
 		if (isFromWindow && host.noteUsedView) host.noteUsedView(outcome.report.request);
 	});
 	if (!outcome.ok) Guarded([&](ErrorContext&) { outcome.message = Shown(outcome.message); });

@@ -12,7 +12,7 @@ namespace textlabel {
 /// A mesh in numbers.
 struct MeshNumbers {
 	int vertices = 0, triangles = 0;
-	double volume = 0;         ///< enclosed, mesh units cubed; of a closed mesh, else of the cone to its box's centre
+	double volume = 0;         ///< enclosed, world units cubed; of a closed mesh, else of the cone to its box's centre
 	bool hasTopology = false;  ///< the numbers below were counted
 	int borderEdges = 0, nonManifoldEdges = 0, components = 0;
 	std::optional<int> genus;  ///< handles; of an oriented manifold only
@@ -30,7 +30,7 @@ struct UsedView {
 struct LabelReport {
 	LabelRequest request;        ///< as it can be run again: a view of a window has become a camera
 	double size = 0, depth = 0;  ///< used: capital height; signed height
-	std::string font;            ///< used
+	std::string font;            ///< used; several are separated by "; "
 	MeshNumbers before, after;
 	int touchedTriangles = 0;
 	double labelArea = 0, surfaceArea = 0;  ///< in the label plane; on the surface, world units squared

@@ -302,7 +302,7 @@ LabelRequest WindowDefaults(const vcg::Box3d& box)
 void CheckRequest(const LabelRequest& request, const vcg::Box3d& box)
 {
 	for (const Parameter& parameter : ParameterTable()) CheckFinite(parameter, request);
-	CheckLength("size", request.size, box.Diag());
+	if (request.fitWidth == 0) CheckLength("size", request.size, box.Diag());
 	if (request.style != LabelStyle::Flat) CheckLength("depth", request.depth, box.Diag());
 	CheckLength("tolerance", request.tolerance, box.Diag());
 	CheckRange("fit_width", request.fitWidth, 0, box.Diag());

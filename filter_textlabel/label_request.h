@@ -25,7 +25,8 @@ using Rgb = std::array<std::uint8_t, 3>;  ///< sRGB
 /// For size, depth and tolerance: the filter chooses. Zero and every other negative number is an error.
 constexpr double ChosenToFit = -1;
 
-/// Everything that a host can ask; lengths in mesh units, places and directions in world coordinates.
+/// Everything that a host can ask; lengths, places and directions in world coordinates, which are the mesh's own but for a layer with
+/// a matrix.
 struct LabelRequest {
 	std::string text = "A43";    ///< UTF-8; a newline, or \n as two characters, breaks a line
 	std::string font;            ///< family, or font file; empty: the font inside the plugin

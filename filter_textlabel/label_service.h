@@ -43,6 +43,7 @@ private:
 	PartProbe probe() const;
 	Camera viewFor(LabelRequest& request) const;
 	void label(LabelRequest& request, StageClock& clock);
+	void labelOnce(const LabelRequest& request, const Camera& view, StageClock& clock);
 	void tryAttempt(const LabelRequest& request, const Attempt& attempt, const TextOutline& outline);
 	void labelAtDepth(const LabelRequest& request, const TextOutline& outline, double depth);
 	void finish(const LabelRequest& request, bool anySelected);
@@ -101,7 +102,8 @@ LabelReport LabelJob<MeshType>::run(const LabelRequest& asked)
 	MeshNumbers before;
 	before.vertices = m_.VN();
 	before.triangles = m_.FN();
-	before.volume = faces.volume;
+	const double worldVolume = std::abs(toWorld_.Determinant());
+	before.volume = faces.volume * worldVolume;
 	if (counts) CountTopology(m_, before);
 	clock.end("measure");
 	label(request, clock);
@@ -111,7 +113,7 @@ LabelReport LabelJob<MeshType>::run(const LabelRequest& asked)
 	made.before = made.after = before;
 	made.after.vertices = m_.VN();
 	made.after.triangles = m_.FN();
-	made.after.volume += result_.addedVolume;
+	made.after.volume += result_.addedVolume * worldVolume;
 	if (counts) countAgain(made.before, made.after);
 	clock.end("measure_again");
 	made.milliseconds = clock.stages();
@@ -129,11 +131,37 @@ void LabelJob<MeshType>::countAgain(MeshNumbers& before, MeshNumbers& after) con
 	}
 }
 
-/// The first attempt that the library takes; when it takes none, the error of the first one.
+/// Where both place and size are left to us and the largest region holds only letters that are too thin, one that holds the size at
+/// which they are not.
 template <class MeshType>
 void LabelJob<MeshType>::label(LabelRequest& request, StageClock& clock)
 {
 	const Camera view = viewFor(request);
+	LabelRequest sized = request;
+	try {
+		return labelOnce(request, view, clock);
+	} catch (const TextError& error) {
+		constexpr double more = 1 + 1e-6;  // than just enough
+		const bool isChosen = request.placement == PlacementKind::Automatic && request.size == ChosenToFit;
+		if (!isChosen || error.code != TextErrorCode::TooThin || !std::isfinite(error.size)) throw;
+		sized.size = error.size * more;
+		if (error.fitWidth > 0 || sized.size > boxes_.world.Diag()) throw;
+		const ErrorContext context = context_;
+		try {
+			return labelOnce(sized, view, clock);
+		} catch (const vcg::textlabel::Error& second) {
+			if (!DependsOnPlace(second.code)) throw;
+		} catch (const TextError&) {  // the first one says it
+		} catch (const RequestError&) {}
+		context_ = context;
+		throw;
+	}
+}
+
+/// The first attempt that the library takes; when it takes none, the error of the first one.
+template <class MeshType>
+void LabelJob<MeshType>::labelOnce(const LabelRequest& request, const Camera& view, StageClock& clock)
+{
 	TextSetter text(request);
 	std::exception_ptr first;
 	ErrorContext firstContext;
@@ -177,7 +205,6 @@ void LabelJob<MeshType>::tryAttempt(const LabelRequest& request, const Attempt& 
 	frame_.toWorld = toWorld_;
 	size_ = attempt.size;
 	context_.letters = outline.letters;
-	context_.size = size_;
 	const bool choose = request.depth == ChosenToFit && request.style != LabelStyle::Flat;
 	if (!choose) return labelAtDepth(request, outline, request.depth);
 	double depth = size_ / sizeOverDepth;
@@ -275,7 +302,7 @@ LabelReport LabelJob<MeshType>::report(const LabelRequest& request) const
 	r.request = request;
 	r.size = size_;
 	r.depth = height_;
-	r.font = outline_.fonts.empty() ? std::string() : outline_.fonts.front();
+	for (const std::string& font : outline_.fonts) r.font += (r.font.empty() ? "" : "; ") + font;
 	r.thinnestStroke = outline_.thinnestStroke.width;
 	r.narrowestGap = outline_.narrowestGap.width;
 	r.touchedTriangles = result_.touchedFaces;

@@ -106,7 +106,7 @@ Paths Bridged(Paths rings, double finest)
 	return rings;
 }
 
-/// One letter by itself: solid where its rings wind around, counter-clockwise, emboldened.
+/// One letter by itself: solid where its rings wind around, counter-clockwise.
 Paths LetterShape(const LetterRings& letter, const UniteOptions& options, const Grid& grid)
 {
 	Paths rings;
@@ -116,12 +116,25 @@ Paths LetterShape(const LetterRings& letter, const UniteOptions& options, const 
 		rings.push_back(std::move(path));
 	}
 	CheckCrossings(rings);
-	rings = CheckedUnion(rings, kTrifle * kFinest * options.tolerance / grid.step);
-	if (options.embolden == 0) return rings;
+	return CheckedUnion(rings, kTrifle * kFinest * options.tolerance / grid.step);
+}
+
+Paths Emboldened(const Paths& rings, double distance)
+{
+	if (distance == 0) return rings;
 	ClipperLib::ClipperOffset offset(kMiterLimit);
 	offset.AddPaths(rings, ClipperLib::jtMiter, ClipperLib::etClosedPolygon);
-	offset.Execute(rings, options.embolden / grid.step);
-	return rings;
+	Paths result;
+	offset.Execute(result, distance);
+	return result;
+}
+
+/// Pieces of a letter and holes in them, specks left out.
+std::pair<std::size_t, std::size_t> CountPieces(const Paths& rings, double finest)
+{
+	const Paths clean = Cleaned(rings, finest);
+	const auto pieces = std::count_if(clean.begin(), clean.end(), ClipperLib::Orientation);
+	return {static_cast<std::size_t>(pieces), clean.size() - static_cast<std::size_t>(pieces)};
 }
 
 FlatBox<cInt> BoxOf(const Paths& rings, cInt margin)
@@ -260,8 +273,11 @@ United UniteLetters(const std::vector<LetterRings>& letters, const UniteOptions&
 	LetterOfPoint letterOf;
 	std::vector<Paths> shapes;
 	for (const LetterRings& letter : letters) {
-		Paths shape = LetterShape(letter, options, grid);
-		if (Cleaned(shape, finest).empty() && !letter.rings.empty()) result.vanished.push_back(letter.letter);
+		const Paths drawn = LetterShape(letter, options, grid);
+		Paths shape = Emboldened(drawn, options.embolden / grid.step);
+		const auto pieces = CountPieces(shape, finest);
+		if (pieces.first == 0 && !letter.rings.empty()) result.vanished.push_back(letter.letter);
+		else if (options.embolden < 0 && pieces != CountPieces(drawn, finest)) result.broken.push_back(letter.letter);
 		for (const Path& ring : shape) {
 			for (const IntPoint& p : ring) letterOf.emplace(p, letter.letter);
 		}

@@ -40,21 +40,28 @@ const std::vector<Parameter>& ParameterTable()
 	using Use = ParameterUse;
 	constexpr bool advanced = true;
 	static const std::vector<Parameter> table{
-		{"text", "Text", "The text of the label, in any language. Write \\n to break a line.", &R::text},
+		{"text", "Text",
+	     "The text of the label, in any language. Write \\n to break a line and \\t for a tab; \\\\n and \\\\t stand "
+	     "for "
+	     "themselves, as in C:\\\\temp.",
+	     &R::text},
 		{"font", "Font",
 	     "A font family (DejaVu Sans:Bold) or a font file (.ttf, .otf, .ttc; font.ttc#1 is its second face). Axes of a "
 	     "variable font follow a colon: Inter:wght=650, font.ttf:wght=650,opsz=32. Empty: DejaVu Sans Bold, which is "
 	     "inside this filter.",
 	     &R::font, Use::FontName},
 		{"size", "Size (capital height, mesh units)",
-	     "Height of a capital letter, in the units of the mesh. -1: chosen so that the text fits.", &R::size},
+	     "Height of a capital letter, in the units of the mesh, as its layer's matrix scales it. -1: chosen so that "
+	     "the text fits.",
+	     &R::size},
 		{"depth", "Depth (mesh units)",
 	     "How far the letters stand out (Emboss) or sink in (Engrave), in the units of the mesh; Flat ignores "
 	     "it. -1: chosen from the size.",
 	     &R::depth},
 		{"style", "Style",
 	     "Emboss: the letters stand out of the surface. Engrave: they sink into it. Flat: the surface keeps "
-	     "its shape, the letters are coloured and selected.",
+	     "its shape, the letters are coloured and selected. MeshLab's window shows the colour of faces only where "
+	     "Color: Face is chosen in the pane beside it.",
 	     &R::style},
 		{"placement", "Placement",
 	     "Current view: where the centre of the window meets the part, as you see it when you press Apply. "
@@ -74,16 +81,16 @@ const std::vector<Parameter>& ParameterTable()
 	     "Camera without text.",
 	     &R::direction, Use::Direction},
 		{"up", "Up",
-	     "Where the top of the letters points, not parallel to the direction. 0 0 0: chosen so that the text "
-	     "reads upright.",
+	     "Where the top of the letters points, across the line of sight. 0 0 0: chosen so that the text "
+	     "reads upright; in a view, as you hold it.",
 	     &R::up, Use::Direction},
 		{"field_of_view", "Field of view (degrees)",
 	     "Of a Camera without text. 5 and less is a parallel view, as in MeshLab.", &R::fieldOfView, Use::Value,
 	     advanced},
-		{"offset_u", "Shift right (mesh units)", "Shift of the label to the right in its plane, before it is rotated.",
-	     &R::offsetU},
-		{"offset_v", "Shift up (mesh units)", "Shift of the label upwards in its plane, before it is rotated.",
-	     &R::offsetV},
+		{"offset_u", "Shift right (mesh units)",
+	     "Moves the label to the right, as the viewer sees it and before it is rotated.", &R::offsetU},
+		{"offset_v", "Shift up (mesh units)",
+	     "Moves the label upwards, as the viewer sees it and before it is rotated.", &R::offsetV},
 		{"rotation", "Rotation (degrees)", "Turns the label counter-clockwise, as the viewer sees it.", &R::rotation},
 		{"extrude_along", "Extrude along",
 	     "Viewpoint: along the lines of sight; this never folds. Label normal: straight out of the label's "
@@ -95,7 +102,8 @@ const std::vector<Parameter>& ParameterTable()
 		{"align", "Align", "Which end of the lines of text comes to the place.", &R::align},
 		{"anchor", "Anchor", "Which height of the text comes to the place.", &R::anchor, Use::Value, advanced},
 		{"fit_width", "Width to fit (mesh units)",
-	     "Width of the whole text; the size follows from it. 0: the size counts.", &R::fitWidth, Use::Value, advanced},
+	     "Width of the whole text; the size follows from it and is ignored. 0: the size counts.", &R::fitWidth,
+	     Use::Value, advanced},
 		{"line_spacing", "Line spacing", "Distance between lines, times the font's own.", &R::lineSpacing, Use::Value,
 	     advanced},
 		{"letter_spacing", "Letter spacing", "Space added between letters, in capital heights.", &R::letterSpacing,

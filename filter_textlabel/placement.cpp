@@ -19,23 +19,35 @@ vcg::Point3d UprightFor(const vcg::Point3d& towardsViewer)
 	return std::abs(towardsViewer[2]) > level * towardsViewer.Norm() ? vcg::Point3d(0, 1, 0) : vcg::Point3d(0, 0, 1);
 }
 
-/// A frame at a point, parallel, from the request's direction and up.
-LabelFrame FrameOf(const LabelRequest& request)
+/// A parallel frame at the request's position.
+/// @param[in] up  finite, not zero
+LabelFrame FrameOf(const LabelRequest& request, const vcg::Point3d& direction, const vcg::Point3d& up)
 {
-	if (request.direction == origin) throw RequestError(RequestProblem::DirectionZero, "direction");
-	const vcg::Point3d up = request.up == origin ? UprightFor(request.direction) : request.up;
 	try {
-		return vcg::textlabel::FrameFromDirection(request.position, request.direction, up);
+		return vcg::textlabel::FrameFromDirection(request.position, direction, up);
 	} catch (const vcg::textlabel::Error&) {  // finite and not zero: only this is left
 		throw RequestError(RequestProblem::UpAlongDirection, "up");
 	}
 }
 
-LabelFrame FrameOf(const Camera& camera)
+/// From the request's direction and up.
+LabelFrame FrameOf(const LabelRequest& request)
+{
+	if (request.direction == origin) throw RequestError(RequestProblem::DirectionZero, "direction");
+	return FrameOf(request, request.direction, request.up == origin ? UprightFor(request.direction) : request.up);
+}
+
+/// As a camera sees it; upright as it is held, unless the request says where up is.
+LabelFrame FrameOf(const LabelRequest& request, const Camera& camera)
 {
 	LabelFrame frame;
 	frame.u = camera.right;
 	frame.v = camera.up;
+	if (request.up != origin) {
+		const LabelFrame turned = FrameOf(request, camera.backwards, request.up);
+		frame.u = turned.u;
+		frame.v = turned.v;
+	}
 	frame.w = camera.backwards;
 	frame.perspective = camera.perspective;
 	frame.center = camera.viewpoint;
@@ -47,27 +59,28 @@ vcg::Point3d OffsetOf(const LabelRequest& request, const LabelFrame& frame)
 	return frame.u * request.offsetU + frame.v * request.offsetV;
 }
 
-/// The first face on a line of sight of a camera.
-/// @return the place in world coordinates
-vcg::Point3d SeenPoint(const LabelFrame& frame, const vcg::Point3d& through, const PartProbe& part)
+/// The first face that a camera meets along its axis, or along a line beside it: a shift is as long on the part as it was asked for,
+/// however far away that is.
+LabelFrame PlaceInView(const LabelRequest& request, const Camera& camera, const PartProbe& part)
 {
-	const vcg::Point3d away = frame.perspective ? through - frame.center : origin - frame.w;
-	const SightLine line{frame.perspective ? frame.center : through, away / away.Norm()};
+	LabelFrame frame = FrameOf(request, camera);
+	const SightLine line{camera.viewpoint + OffsetOf(request, frame), origin - frame.w};
 	for (const SurfaceHit& hit : part.hitsOnLine(line)) {
 		if (frame.perspective && !(hit.distance > 0)) continue;
 		if (!hit.facing) throw RequestError(RequestProblem::ViewFromInside);
-		return line.origin + line.direction * hit.distance;
+		frame.origin = line.origin + line.direction * hit.distance;
+		return frame;
 	}
 	throw RequestError(RequestProblem::ViewMissesPart);
 }
 
-LabelFrame PlaceInView(const LabelRequest& request, const Camera& camera, const PartProbe& part)
+/// The hit nearest to the line's origin on a face that looks to the viewer, or null.
+const SurfaceHit* NearestFacing(const std::vector<SurfaceHit>& hits)
 {
-	LabelFrame frame = FrameOf(camera);
-	const vcg::Point3d center = SeenPoint(frame, camera.viewpoint - camera.backwards, part);
-	const vcg::Point3d offset = OffsetOf(request, frame);
-	frame.origin = offset == origin ? center : SeenPoint(frame, center + offset, part);
-	return frame;
+	const SurfaceHit* nearest = nullptr;
+	for (const SurfaceHit& hit : hits)
+		if (hit.facing && (!nearest || std::abs(hit.distance) < std::abs(nearest->distance))) nearest = &hit;
+	return nearest;
 }
 
 /// The face that looks to the viewer nearest to the position; a face before it would hide the label.
@@ -76,9 +89,7 @@ LabelFrame PlaceAtPoint(const LabelRequest& request, const PartProbe& part)
 	LabelFrame frame = FrameOf(request);
 	const SightLine line{request.position + OffsetOf(request, frame), origin - frame.w};
 	const std::vector<SurfaceHit> hits = part.hitsOnLine(line);
-	const SurfaceHit* nearest = nullptr;
-	for (const SurfaceHit& hit : hits)
-		if (hit.facing && (!nearest || std::abs(hit.distance) < std::abs(nearest->distance))) nearest = &hit;
+	const SurfaceHit* const nearest = NearestFacing(hits);
 	if (!nearest) throw RequestError(RequestProblem::PointMissesPart, "position");
 	const double hidden = nearest->distance - hits.front().distance;
 	if (hidden > sameSurface * part.box.Diag())
@@ -216,6 +227,11 @@ bool OfferAnywhere(const LabelRequest& request, double size, const PartProbe& pa
 		const TextExtent chosen = ExtentOnceChosen(request, extent, place.size, text);
 		const vcg::Point2d center = (chosen.low + chosen.high) * (place.size / 2);
 		frame.origin -= frame.u * center[0] + frame.v * center[1];
+		if (frame.origin != place.position) {  // the same label, with the anchor on the surface below it
+			const SightLine line{frame.origin, origin - frame.w};
+			const std::vector<SurfaceHit> hits = part.hitsOnLine(line);
+			if (const SurfaceHit* nearest = NearestFacing(hits)) frame.origin += line.direction * nearest->distance;
+		}
 		isAny = true;
 		return accept({frame, place.size, place.wall});
 	});

@@ -138,7 +138,7 @@ std::string OptionSentence(const TextError& e)
 		if (!(e.limit > 0)) return "The radius of the arc is " + value + ": give a length; 0 is a straight line.";
 		return "The text does not fit on an arc of radius " + value + ": give a radius of " +
 		       (e.value < 0 ? "-" + NumberAbove(e.limit) + " or below" : NumberAbove(e.limit) + " or more") +
-		       ", or a smaller size.";
+		       ", or make the text smaller.";
 	case TextErrorCode::BadFeature:
 		return Quoted(e.detail) + " is no OpenType feature setting: write them as in tnum,ss01,-liga.";
 	case TextErrorCode::BadPrintLimit:
@@ -163,6 +163,8 @@ std::string ResultSentence(const TextError& e)
 		return "The narrowest " + e.detail + " measures " + Number(e.value) + ", where " + Number(e.limit) +
 		       " is asked for (too narrow in " + Letters(e) + "): " + LargerText(e) + "a " +
 		       (e.detail == "gap" ? "lighter" : "bolder") + " font would do.";
+	case TextErrorCode::LetterBroken:
+		return "Thinning takes " + Letters(e) + " apart: thin less (embolden), or choose a bolder font.";
 	case TextErrorCode::LetterVanished:
 		return "Nothing is left of " + Letters(e) +
 		       " at this tolerance and weight: give a finer tolerance, or thin less.";

@@ -36,6 +36,7 @@ enum class TextErrorCode {
 	BadPrintLimit,  ///< smallest stroke or gap asked for is negative or not a number: `value`
 	// the result
 	TooThin,  ///< `letters` have strokes or gaps below what was asked; `value` measured, `limit` asked, `size` or `fitWidth` would do
+	LetterBroken,    ///< `letters` come apart, or lose a piece, when they are thinned so much
 	LetterVanished,  ///< `letters` have nothing left after thinning them or at so coarse a tolerance
 	Unsound          ///< the outline could not be made simple polygons
 };

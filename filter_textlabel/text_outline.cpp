@@ -176,16 +176,17 @@ LayoutOptions LayoutOptionsFor(const TextOptions& options, double size, double e
 }
 
 /// Capital height that makes the ink, laid straight, as wide as asked for.
+/// @param[in] overhang  what emboldening adds to the width
 double SizeToFit(const std::vector<ShapedLine>& lines, const FontStack& fonts, Glyphs& glyphs,
-                 const TextOptions& options)
+                 const TextOptions& options, double overhang)
 {
 	LayoutOptions layout = LayoutOptionsFor(options, 1, 1 / fonts.main().capitalHeight());
 	layout.arcRadius = 0;
 	const vcg::Box2d box = InkBox(Layout(lines, fonts, layout), FormOf(layout), glyphs);
 	if (box.IsNull()) throw TextError(TextErrorCode::EmptyText);
-	const double size = (options.fitWidth - 2 * options.embolden) / box.DimX();
+	const double size = (options.fitWidth - overhang) / box.DimX();
 	if (!(size > 0) || !std::isfinite(size))
-		throw TextError(TextErrorCode::BadSize, "fitWidth").measured(options.fitWidth, 2 * options.embolden);
+		throw TextError(TextErrorCode::BadSize, "fitWidth").measured(options.fitWidth, overhang);
 	return size;
 }
 
@@ -261,6 +262,15 @@ void CheckPrintable(const std::vector<LetterWidths>& widths, const TextOutline& 
 	throw error;
 }
 
+vcg::Box2d BoxOf(const vcg::textlabel::Outline& outline)
+{
+	vcg::Box2d box;
+	for (const vcg::textlabel::Contour& contour : outline.contours) {
+		for (const vcg::Point2d& p : contour.points) box.Add(p);
+	}
+	return box;
+}
+
 void Measure(TextOutline& text, const TextOptions& options)
 {
 	const std::vector<LetterWidths> widths =
@@ -272,19 +282,20 @@ void Measure(TextOutline& text, const TextOptions& options)
 		keepLess(text.thinnestStroke, widths[i].stroke, i);
 		keepLess(text.narrowestGap, widths[i].gap, i);
 	}
-	vcg::Box2d box;
-	for (const vcg::textlabel::Contour& contour : text.outline.contours) {
-		for (const vcg::Point2d& p : contour.points) box.Add(p);
-	}
+	const vcg::Box2d box = BoxOf(text.outline);
 	text.boxMin = box.min, text.boxMax = box.max;
 	CheckPrintable(widths, text, options);
 }
 
-void CheckVanished(const United& united, const TextOutline& text)
+void RequireNone(const std::vector<int>& letters, TextErrorCode code, const TextOutline& text)
 {
-	if (united.vanished.empty()) return;
-	TextError error(TextErrorCode::LetterVanished);
-	for (const int letter : united.vanished) error.letters.push_back(text.letters[static_cast<std::size_t>(letter)]);
+	if (letters.empty()) return;
+	TextError error(code);
+	for (const int i : letters) {
+		const std::string& letter = text.letters[static_cast<std::size_t>(i)];
+		if (std::find(error.letters.begin(), error.letters.end(), letter) == error.letters.end())
+			error.letters.push_back(letter);
+	}
 	throw error;
 }
 
@@ -298,6 +309,63 @@ double ToleranceFor(const TextOptions& options, double size)
 	return options.tolerance;
 }
 
+/// A corner that is emboldened stands out by more than the distance: the anchor comes to the ink as it is.
+void MoveToAnchor(vcg::textlabel::Outline& outline, const TextOptions& options)
+{
+	vcg::Box2d ink = BoxOf(outline);
+	if (options.mirrored) ink = vcg::Box2d({-ink.max[0], ink.min[1]}, {-ink.min[0], ink.max[1]});
+	vcg::Point2d anchor = AnchorOf(ink, options);
+	if (options.mirrored) anchor[0] = -anchor[0];
+	for (vcg::textlabel::Contour& contour : outline.contours) {
+		for (vcg::Point2d& p : contour.points) p -= anchor;
+	}
+}
+
+/// Lay out, unite and anchor a shaped text at a capital height.
+/// @param[in,out] text  letters are there
+void SetAt(double size, const std::vector<ShapedLine>& lines, const FontStack& fonts, Glyphs& glyphs,
+           const TextOptions& options, TextOutline& text)
+{
+	text.capitalHeight = size;
+	text.tolerance = ToleranceFor(options, size);
+	if (std::abs(options.embolden) > kMostEmbolden * size)
+		throw TextError(TextErrorCode::BadEmbolden).measured(options.embolden, kMostEmbolden * size);
+
+	const LayoutOptions layout = LayoutOptionsFor(options, size, size / fonts.main().capitalHeight());
+	const Affine form = FormOf(layout);
+	const std::vector<PlacedGlyph> placed = Layout(lines, fonts, layout);
+	const vcg::Box2d ink = InkBox(placed, form, glyphs);
+	if (ink.IsNull()) throw TextError(TextErrorCode::EmptyText);
+	const vcg::Point2d anchor = AnchorOf(ink, options);
+	const double side = options.mirrored ? -1 : 1;
+	const Affine toAnchor{side, 0, 0, 1, -side * anchor[0], -anchor[1]};
+	United united =
+		UniteLetters(RingsOf(placed, form, toAnchor, glyphs, text.tolerance), {text.tolerance, options.embolden});
+	RequireNone(united.vanished, TextErrorCode::LetterVanished, text);
+	RequireNone(united.broken, TextErrorCode::LetterBroken, text);
+	text.outline = std::move(united.outline);
+	if (text.outline.contours.empty()) throw TextError(TextErrorCode::EmptyText);
+	if (options.embolden != 0) MoveToAnchor(text.outline, options);
+}
+
+/// The fonts that have a glyph in a text, by their descriptions.
+std::vector<std::string> FontsOf(const std::vector<ShapedLine>& lines, const FontStack& fonts)
+{
+	std::vector<char> isUsed(static_cast<std::size_t>(fonts.size()), 0);
+	for (const ShapedLine& line : lines) {
+		for (const ShapedItem& item : line.items) {
+			for (const ShapedGlyph& g : item.glyphs) {
+				if (fonts[item.font].hasInk(g.glyph)) isUsed[static_cast<std::size_t>(item.font)] = 1;
+			}
+		}
+	}
+	std::vector<std::string> used;
+	for (int i = 0; i < fonts.size(); ++i) {
+		if (isUsed[static_cast<std::size_t>(i)]) used.push_back(fonts[i].description());
+	}
+	return used;
+}
+
 }  // namespace
 
 TextOutline MakeTextOutline(const std::string& utf8, const TextOptions& options)
@@ -309,27 +377,20 @@ TextOutline MakeTextOutline(const std::string& utf8, const TextOptions& options)
 	Glyphs glyphs(fonts);
 	TextOutline text;
 	text.letters = LettersOf(lines);
-	for (int i = 0; i < fonts.size(); ++i) text.fonts.push_back(fonts[i].description());
-	text.capitalHeight = options.fitWidth > 0 ? SizeToFit(lines, fonts, glyphs, options) : options.size;
-	text.tolerance = ToleranceFor(options, text.capitalHeight);
-	if (std::abs(options.embolden) > kMostEmbolden * text.capitalHeight)
-		throw TextError(TextErrorCode::BadEmbolden).measured(options.embolden, kMostEmbolden * text.capitalHeight);
-
-	const double em = text.capitalHeight / fonts.main().capitalHeight();
-	const LayoutOptions layout = LayoutOptionsFor(options, text.capitalHeight, em);
-	const Affine form = FormOf(layout);
-	const std::vector<PlacedGlyph> placed = Layout(lines, fonts, layout);
-	vcg::Box2d ink = InkBox(placed, form, glyphs);
-	if (ink.IsNull()) throw TextError(TextErrorCode::EmptyText);
-	ink.Offset(options.embolden);
-	const vcg::Point2d anchor = AnchorOf(ink, options);
-	const double side = options.mirrored ? -1 : 1;
-	const Affine toAnchor{side, 0, 0, 1, -side * anchor[0], -anchor[1]};
-	United united =
-		UniteLetters(RingsOf(placed, form, toAnchor, glyphs, text.tolerance), {text.tolerance, options.embolden});
-	CheckVanished(united, text);
-	text.outline = std::move(united.outline);
-	if (text.outline.contours.empty()) throw TextError(TextErrorCode::EmptyText);
+	text.fonts = FontsOf(lines, fonts);
+	const auto sizeWith = [&](double overhang) { return SizeToFit(lines, fonts, glyphs, options, overhang); };
+	SetAt(options.fitWidth > 0 ? sizeWith(2 * options.embolden) : options.size, lines, fonts, glyphs, options, text);
+	if (options.fitWidth > 0 && options.embolden != 0 && options.arcRadius == 0) {
+		// how far the corners at the ends stand out depends on the font; not on the size, but for which of them are the ends
+		constexpr int rounds = 3;
+		const double inkWidth = (options.fitWidth - 2 * options.embolden) / text.capitalHeight;  // at size 1
+		for (int round = 0; round < rounds; ++round) {
+			const double overhang = BoxOf(text.outline).DimX() - inkWidth * text.capitalHeight;
+			const double size = sizeWith(overhang);
+			if (std::abs(size - text.capitalHeight) <= kFinestTolerance * size) break;
+			SetAt(size, lines, fonts, glyphs, options, text);
+		}
+	}
 	Measure(text, options);
 	return text;
 }

@@ -62,7 +62,7 @@ struct TextOutline {
 	/// order of the text; Contour::letter is an index into it.
 	std::vector<std::string> letters;
 	vcg::Point2d boxMin{0, 0}, boxMax{0, 0};
-	std::vector<std::string> fonts;  ///< those used, the main one first: "DejaVu Sans Bold (file, face 0, wght=650)"
+	std::vector<std::string> fonts;  ///< those with ink in it, the main one first: "DejaVu Sans Bold (file, wght=650)"
 	double capitalHeight = 0;        ///< mesh units: the size asked for, or the one that fits the width
 	double tolerance = 0;            ///< the one used
 	Narrowest thinnestStroke, narrowestGap;

@@ -48,7 +48,7 @@ TEST(ErrorText, EveryCodeOfTheLibraryHasItsOwn)
 
 TEST(ErrorText, SaysWhichLetterAndWhere)
 {
-	const ErrorContext context{{"A", "ß", "漢"}, 5, 0.5};
+	const ErrorContext context{{"A", "ß", "漢"}, 0.5};
 	for (int code = int(ErrorCode::OffSurface); code <= int(ErrorCode::HitsItself); ++code) {
 		EXPECT_TRUE(DependsOnPlace(ErrorCode(code)));
 		const std::string text = ErrorText(Error(ErrorCode(code)).atLetter(2).atPlace({1.5, -2, 1e6}), context);
@@ -62,7 +62,7 @@ TEST(ErrorText, SaysWhichLetterAndWhere)
 
 TEST(ErrorText, GivesTheNumbers)
 {
-	const ErrorContext context{{"A"}, 5, -0.5};
+	const ErrorContext context{{"A"}, -0.5};
 	const std::string wall = ErrorText(Error(ErrorCode::HitsSurface).atLetter(0).measured(0.5, 0.125), context);
 	EXPECT_NE(wall.find("depth 0.5;"), std::string::npos) << wall;
 	EXPECT_NE(wall.find("room for 0.125"), std::string::npos) << wall;

@@ -72,6 +72,17 @@ TEST(FindFont, ByFamilyWeightAndStyle)
 	EXPECT_EQ(Found("DejaVu Sans:Condensed Bold").substr(0, 31), "DejaVu Sans Condensed Bold (/us");
 }
 
+TEST(FindFont, ByTheNameOfTheFontItself)
+{
+	SKIP_WITHOUT("DejaVu Sans:Bold");
+	for (const char* name : {"DejaVu Sans Bold", "dejavu sans bold", "DejaVuSans-Bold"})
+		EXPECT_EQ(Found(name), Found("DejaVu Sans:Bold")) << name;
+	EXPECT_EQ(Found("DejaVu Sans Bold:Oblique").substr(0, 9), "instead: ") << "a style goes with a family";
+	EXPECT_EQ(Found("DejaVu Sans Extrabold").substr(0, 9), "instead: ");
+	for (const char* name : {"Sans-Serif", "Monospace", "SERIF"})
+		EXPECT_NE(Found(name).substr(0, 9), "instead: ") << name << " stands for any";
+}
+
 TEST(FindFont, NeverTakesASubstituteInSilence)
 {
 	SKIP_WITHOUT("DejaVu Sans");
@@ -104,6 +115,8 @@ TEST(FindFallback, GoesOnToTheNextFont)
 	EXPECT_NE(tried[1], tried[2]);
 	EXPECT_FALSE(FindFallback(U"A\U0010FFFD", ParseFontRequest("sans-serif"), take));
 	EXPECT_EQ(tried.size(), 3u) << "none has both";
+	EXPECT_FALSE(FindFallback(U"\uE000", ParseFontRequest("sans-serif"), take));
+	EXPECT_EQ(tried.size(), 3u) << "of private use: another font means another sign";
 }
 
 TEST(FindFont, ByAxisOfAVariableFont)

@@ -181,6 +181,20 @@ TEST(UniteLetters, SaysWhichLettersVanish)
 	EXPECT_NEAR(Area(united.outline), 2.8 * 8.8, 1e-5);
 }
 
+TEST(UniteLetters, SaysWhichLettersThinningTakesApart)
+{
+	const Ring h = {{0, 0},   {2, 0},  {2, 4.5}, {8, 4.5}, {8, 0},  {10, 0},
+	                {10, 10}, {8, 10}, {8, 5.5}, {2, 5.5}, {2, 10}, {0, 10}};
+	const Ring stem = {{20, 0}, {22, 0}, {22, 7}, {20, 7}}, dot = {{20.7, 8}, {21.3, 8}, {21.3, 8.6}, {20.7, 8.6}};
+	const Ring outer = {{30, 0}, {40, 0}, {40, 10}, {30, 10}}, counter = {{30.8, 2}, {30.8, 8}, {38, 8}, {38, 2}};
+	const std::vector<LetterRings> letters = {{0, {h}}, {1, {stem, dot}}, {2, {outer, counter}}};
+	EXPECT_TRUE(UniteLetters(letters, {0.01, -0.2}).broken.empty());
+	const United thin = UniteLetters(letters, {0.01, -0.45});
+	EXPECT_EQ(thin.broken, (std::vector<int>{1, 2})) << "the dot is gone, the ring is open";
+	EXPECT_EQ(UniteLetters(letters, {0.01, -0.6}).broken, (std::vector<int>{0, 1, 2})) << "the H has lost its bar";
+	EXPECT_TRUE(UniteLetters(letters, {0.01, 0.6}).broken.empty()) << "what grows together was asked for";
+}
+
 TEST(UniteLetters, RefusesWhatCrossesItselfWithoutEnd)
 {
 	std::mt19937 random(1);

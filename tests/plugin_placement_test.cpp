@@ -247,6 +247,35 @@ TEST(CameraPlacement, LabelsTheCentreOfTheView)
 	ExpectNear(Plan(parallel)[0].frame.origin, {30, 20, 10});  // a parallel view has no place to be behind
 }
 
+// Beside the top the part is 40 lower: the shift is as long there, though it is seen from afar.
+TEST(CameraPlacement, ShiftsByTheLengthThatWasAskedForOnWhatLiesDeeper)
+{
+	Mesh steps;
+	vcg::tri::Append<Mesh, Mesh>::MeshCopy(steps, Box());
+	for (auto& v : steps.vert) v.P() += Mesh::CoordType(61, 0, -40);
+	vcg::tri::Append<Mesh, Mesh>::Mesh(steps, Box());
+	for (const double fieldOfView : {60.0, 5.0}) {
+		LabelRequest request = FromCamera({30, 20, 110}, {0, 0, 1});
+		request.fieldOfView = fieldOfView;
+		request.offsetU = 50;
+		request.offsetV = -3;
+		ExpectNear(Plan(request, ProbeOf(steps))[0].frame.origin, {80, 17, -30});
+	}
+}
+
+TEST(CameraPlacement, TurnsTheTextWhereUpIsTold)
+{
+	LabelRequest request = FromCamera({30, 20, 110}, {0, 0, 1});
+	request.camera = WriteCamera(RequestedCamera(request));
+	ExpectNear(Plan(request)[0].frame.v, {0, 1, 0});
+	request.up = {3, 0, 1};
+	ExpectNear(Plan(request)[0].frame.v, {1, 0, 0});
+	ExpectNear(Plan(request)[0].frame.u, {0, -1, 0});
+	EXPECT_TRUE(Plan(request)[0].frame.perspective);
+	request.up = {0, 0, 2};
+	EXPECT_EQ(ProblemOf([&] { Plan(request); }), RequestProblem::UpAlongDirection);
+}
+
 TEST(CameraPlacement, RefusesViewsThatShowNoOutside)
 {
 	EXPECT_EQ(ProblemOf([] { Plan(FromCamera({30, 20, 5}, {0, 0, 1})); }), RequestProblem::ViewFromInside);
@@ -291,4 +320,18 @@ TEST(AutomaticPlacement, PutsTheTextsBoxOnAFlatRegion)
 	}
 	request.size = 45;  // no side is as high
 	EXPECT_EQ(ProblemOf([&] { Plan(request); }), RequestProblem::NoPlace);
+}
+
+TEST(AutomaticPlacement, TellsAnAnchorOnTheSurface)
+{
+	Mesh ball;
+	vcg::tri::Sphere(ball, 5);
+	LabelRequest request;
+	request.text = "AB";
+	request.size = 0.1;
+	request.offsetU = 0.05;
+	for (const Align align : {Align::Left, Align::Right}) {
+		request.align = align;
+		for (const Attempt& attempt : Plan(request, ProbeOf(ball))) EXPECT_NEAR(attempt.frame.origin.Norm(), 1, 1e-3);
+	}
 }

@@ -181,6 +181,24 @@ TEST(TextOutline, BackslashNAndRealBreaksBreakLines)
 	EXPECT_EQ(Made("H\\\\nH").letters, (std::vector<std::string>{"H", "\\", "n", "H"}));
 }
 
+// The corners of V and A stand out by more than the distance that they are emboldened by.
+TEST(TextOutline, IsAsWideAsAskedWithPointedLettersEmboldened)
+{
+	for (const double bold : {0.4, 2.0, -0.1})
+		for (const bool mirrored : {false, true})
+			for (const Align align : {Align::Left, Align::Center, Align::Right}) {
+				const TextOutline t = Made("VA1", [&](TextOptions& o) {
+					o.fitWidth = 60, o.embolden = bold, o.align = align, o.mirrored = mirrored;
+				});
+				EXPECT_NEAR(Width(t), 60, 1e-3) << bold;
+				const double anchored = align == Align::Center               ? t.boxMin[0] + t.boxMax[0]
+				                        : (align == Align::Left) != mirrored ? t.boxMin[0]
+				                                                             : t.boxMax[0];
+				EXPECT_NEAR(anchored, 0, 1e-9) << bold;
+				EXPECT_NEAR(t.boxMin[1] + t.boxMax[1], 0, 1e-9) << bold;
+			}
+}
+
 TEST(TextOutline, FitsTheWidth)
 {
 	for (const double bold : {0.0, 0.4}) {
@@ -379,6 +397,9 @@ TEST(TextOutline, FallsBackOnlyWhenAsked)
 	const TextOutline t = MakeTextOutline("A日本日", options);
 	EXPECT_EQ(FlawOf(t.outline), "");
 	EXPECT_EQ(t.fonts.size(), 2u);
+	EXPECT_EQ(MakeTextOutline("日 本", options).fonts.size(), 1u) << "no ink is the main font's";
+	EXPECT_NE(MakeTextOutline("日 本", options).fonts[0].find("Bold"), std::string::npos)
+		<< "as bold as the built-in one";
 	EXPECT_TRUE(ErrorOf("\U0010FFFD", options).hasFallback);
 }
 
