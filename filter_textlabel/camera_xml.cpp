@@ -20,6 +20,7 @@ public:
 		: attributes_(attributes), binary_(attributes.value("BinaryData").trimmed() == QLatin1String("1"))
 	{}
 
+	bool has(const char* name) const { return attributes_.hasAttribute(QLatin1String(name)); }
 	/// @return at least `count` finite numbers
 	std::vector<double> numbers(const char* name, size_t count) const
 	{
@@ -100,7 +101,6 @@ Camera CameraOf(const CameraAttributes& attributes)
 	Camera camera;
 	const auto translation = attributes.numbers("TranslationVector", 3);
 	const auto rotation = attributes.numbers("RotationMatrix", 16);
-	const auto pixelSize = attributes.numbers("PixelSizeMm", 2), center = attributes.numbers("CenterPx", 2);
 	for (int i = 0; i < 3; ++i) {
 		camera.viewpoint[i] = -translation[size_t(i)];
 		camera.right[i] = rotation[size_t(i)];
@@ -108,10 +108,15 @@ Camera CameraOf(const CameraAttributes& attributes)
 		camera.backwards[i] = rotation[size_t(8 + i)];
 	}
 	camera.perspective = attributes.isPerspective();
-	camera.focalMm = attributes.numbers("FocalMm", 1)[0];
-	camera.pixelSizeMm = {pixelSize[0], pixelSize[1]};
-	camera.centerPx = {center[0], center[1]};
-	camera.viewportPx = attributes.pixels("ViewportPx");
+	const auto readPair = [&](const char* name, std::array<double, 2>& pair) {
+		if (!attributes.has(name)) return;
+		const auto numbers = attributes.numbers(name, 2);
+		pair = {numbers[0], numbers[1]};
+	};
+	readPair("PixelSizeMm", camera.pixelSizeMm);
+	readPair("CenterPx", camera.centerPx);
+	if (attributes.has("FocalMm")) camera.focalMm = attributes.numbers("FocalMm", 1)[0];
+	if (attributes.has("ViewportPx")) camera.viewportPx = attributes.pixels("ViewportPx");
 	Orthonormalize(camera);
 	return camera;
 }

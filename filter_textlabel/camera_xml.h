@@ -20,7 +20,7 @@ struct Camera {
 	vcg::Point3d up{0, 1, 0};         ///< unit
 	vcg::Point3d backwards{0, 0, 1};  ///< unit, right x up: from the scene towards the viewer
 	bool perspective = true;
-	double focalMm = 1;  ///< for writing only, like all that follows
+	double focalMm = 1;  ///< for writing only, like all that follows: these may be missing
 	std::array<double, 2> pixelSizeMm{1, 1};
 	std::array<int, 2> viewportPx{1, 1};
 	std::array<double, 2> centerPx{0, 0};

@@ -270,6 +270,46 @@ TEST(Service, ReportsWhatOneCanMeasure)
 	EXPECT_GT(json["milliseconds"].toObject()["total"].toDouble(), 0);
 }
 
+TEST(Service, TellsLengthsAreasAndVolumesAsTheLayersMatrixScalesThem)
+{
+	Mesh m;
+	MakePlate(m, 5);
+	vcg::Matrix44d matrix;
+	matrix.SetScale(10, 10, 10);
+	ErrorContext context;
+	LabelRequest request = OnTop(80, 20);
+	request.position = {300, 200, 50};
+	const ServiceHost host;
+	LabelJob<Mesh> job(m, matrix, host, context);
+	const LabelReport report = job.run(request);
+	EXPECT_NEAR(report.before.volume, 60 * 40 * 5 * 1000.0, 1);
+	EXPECT_NEAR(report.after.volume - report.before.volume, report.labelArea * 20, 1e-4 * report.labelArea * 20);
+}
+
+TEST(Service, LooksForARegionThatHoldsLettersAsBoldAsAskedFor)
+{
+	LabelRequest request;
+	request.placement = PlacementKind::Automatic;
+	request.style = LabelStyle::Flat;
+	request.text = "SN-0123456789";
+	const auto labelled = [&](double minStroke) {
+		Mesh m;
+		MakePlate(m, 5);
+		request.minStroke = minStroke;
+		return RunOn(m, request).report;
+	};
+	const LabelReport usual = labelled(0);
+	const LabelReport bold = labelled(1.2 * usual.thinnestStroke);
+	EXPECT_GT(bold.size, usual.size);
+	EXPECT_GE(bold.thinnestStroke, 1.2 * usual.thinnestStroke);
+	try {
+		labelled(10 * usual.thinnestStroke);
+		ADD_FAILURE() << "no error";
+	} catch (const TextError& error) {
+		EXPECT_EQ(error.code, TextErrorCode::TooThin);
+	}
+}
+
 TEST(Service, ARefusalLeavesTheMeshAlone)
 {
 	Mesh m;
