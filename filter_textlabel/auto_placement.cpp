@@ -120,7 +120,6 @@ std::optional<Place> Measure(const PlaceQuery& query, const Part& part, const Ca
 	place.flat = Relief(image) <= flatRelief * place.size;
 	place.stretch = place.flat ? 1 : LargestStretch(part, image);
 	place.wall = ThinnestWall(part, image, sameSurface * part.diagonal);
-	place.score = candidate.score();
 	return place;
 }
 

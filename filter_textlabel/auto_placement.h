@@ -34,7 +34,6 @@ struct Place {
 	bool flat = false;       ///< the surface under the text is a plane
 	double stretch = 1;      ///< largest surface length over label length under the text; 1 on a plane
 	double wall = 0;         ///< thickness behind the text along -direction; infinite when nothing is there
-	double score = 0;        ///< larger is better; comparable within one answer only
 };
 
 /// Offer places for a text one by one, best first, until `accept` takes one (the library may refuse a place for reasons that
