@@ -91,6 +91,11 @@ std::string PlaceText(const Error& error, const ErrorContext& context)
 		       Figure(error.value) + " times, " + Figure(error.limit) +
 		       " is allowed. Look at the place more from the front, or raise max_stretch.";
 	case ErrorCode::TooFine:
+		if (!(error.value > 0))
+			return letter + " meets corners or edges of the mesh" + where +
+			       " in a way that its coordinates cannot carry (details below " + Figure(error.limit) +
+			       " are lost). Move the label a little (offset_u, offset_v), make the text larger, or move the part "
+			       "nearer to the origin.";
 		return letter + " has details of " + Figure(error.value) + where +
 		       ", finer than the coordinates of the mesh can carry (" + Figure(error.limit) +
 		       "). Make the text larger, the tolerance coarser, or move the part nearer to the origin.";

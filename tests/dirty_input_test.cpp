@@ -315,6 +315,42 @@ TEST(DirtyInput, DeletedFaces)
 	}
 }
 
+// An edge with many vertices on one side, closed by triangles without area: each looks like a horizon within the letter, and those at
+// its end have neighbours beyond the label's box.
+TEST(DirtyInput, ARowOfCapsUnderOneLetter)
+{
+	for (const int cells : {8, 16, 28, 36, 48, 64}) {
+		const double width = 36.0 / cells;
+		Shape s;
+		std::vector<int> below, row, above, middle;
+		for (int i = 0; i <= cells; ++i) {
+			below.push_back(s.add({i * width - 18, -18, 0}));
+			row.push_back(s.add({i * width - 18, 0, 0}));
+			above.push_back(s.add({i * width - 18, 18, 0}));
+			middle.push_back(s.add({(i + 0.5) * width - 18, 0, 0}));
+		}
+		for (int c = 0; c < cells; ++c) {
+			const size_t i = size_t(c), j = i + 1;
+			s.quad(below[i], below[j], row[j], row[i]);
+			s.faces.push_back({row[i], row[j], middle[i]});
+			s.faces.push_back({row[i], middle[i], above[i]});
+			s.faces.push_back({middle[i], row[j], above[j]});
+			s.faces.push_back({middle[i], above[j], above[i]});
+		}
+		FloatMesh m;
+		test_mesh::Fill(m, s);
+		LabelOptions options;
+		options.height = 0.3;
+		const Outline bar = label_check::Letters({Rectangle(-16.03, -5.02, 16.01, 6.03)});
+		const LabelResult result = LabelMesh(m, bar, FromAbove(), options);
+		EXPECT_EQ(result.attempts, 1) << cells;
+		EXPECT_NEAR(result.addedVolume, Area(bar) * 0.3, 1e-4 * Area(bar));
+		const MeshReport report = MakeReport(m, {true, true});
+		EXPECT_EQ(report.nonManifoldEdges + report.flippedEdges + report.duplicateFaces, 0) << cells;
+		EXPECT_EQ(report.genus, 0) << cells;
+	}
+}
+
 class PaintedVertex;
 class PaintedFace;
 struct PaintedTypes : vcg::UsedTypes<vcg::Use<PaintedVertex>::AsVertexType, vcg::Use<PaintedFace>::AsFaceType> {};

@@ -128,6 +128,17 @@ TEST(March, RunsAlongEdges)
 	}
 }
 
+// It leaves the row by less than snap from one vertex to the next, and is measured from where it should be, not from where it is.
+TEST(March, DoesNotFollowARowThatItLeavesAtASmallAngle)
+{
+	for (const double angle : {2e-8, 1e-7, 3e-7, 1e-6}) {
+		const Sheet sheet = CandidatesOf(Grid(), LabelSpace(FromAbove()), 20, 20);
+		std::vector<Point2d> bar = Rectangle(-9, -2, 9, 2);
+		for (Point2d& p : bar) p += Point2d(-p[1], p[0]) * angle;
+		ExpectPathOnSheet(sheet, March(sheet, bar), bar);
+	}
+}
+
 TEST(March, GoesThroughVertices)
 {
 	const Sheet sheet = CandidatesOf(Grid(), LabelSpace(FromAbove()), 20, 20);

@@ -54,6 +54,37 @@ Shape Slanted()
 	});
 }
 
+// A strip two steps of the coordinates wide ends under the letter: what is cut there is collapsed into its neighbour.
+TEST(Commit, TextureStaysWhereShortEdgesAreCollapsed)
+{
+	constexpr double strip = 1.6e-4, far = 90;
+	Shape s;
+	const auto add = [&](double x, double y) { return s.add({x + far, y + far, 0}); };
+	const int a = add(-18, -18), b = add(0, -18), b2 = add(strip, -18), c = add(18, -18), e = add(18, 18),
+			  apex = add(0, 17), g = add(-18, 18);
+	s.faces = {{a, b, apex}, {b, b2, apex}, {b2, c, apex}, {c, e, apex}, {e, g, apex}, {g, a, apex}};
+	for (const double top : {12.0, 15.0, 15.5, 16.0, 16.5})
+		for (const double height : {0.0, 0.5}) {
+			RichMesh m;
+			test_mesh::Fill(m, s);
+			for (auto& f : m.face)
+				for (int k = 0; k < 3; ++k) {
+					f.WT(k).u() = f.cV(k)->cP()[0] / 40;
+					f.WT(k).v() = f.cV(k)->cP()[1] / 40;
+				}
+			LabelFrame frame;
+			frame.origin = {far, far, 0};
+			LabelOptions options;
+			options.height = height;
+			LabelMesh(m, Letters({Rectangle(-5.1, top - 20, 6.3, top)}), frame, options);
+			for (const auto& f : m.face)
+				for (int k = 0; k < 3; ++k) {
+					EXPECT_NEAR(f.cWT(k).u(), f.cV(k)->cP()[0] / 40, 1e-5) << top;
+					EXPECT_NEAR(f.cWT(k).v(), f.cV(k)->cP()[1] / 40, 1e-5) << top;
+				}
+		}
+}
+
 struct Labelled {
 	RichMesh before, after;
 	LabelResult result;

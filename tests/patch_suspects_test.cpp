@@ -42,7 +42,7 @@ void Compare(const Shape& shape, const LabelFrame& frame, const Outline& outline
 	SheetLayer layer;
 	try {
 		e = std::make_unique<CutExample>(Quantized(shape, step), outline, frame, snap);
-		layer = FindLayer(e->sheet, FindSeeds(e->space, e->sheet, outline, snap));
+		layer = FindLayer(e->sheet, outline, FindSeeds(e->space, e->sheet, outline, snap));
 	} catch (const PlacementConflict&) {
 		return;  // too coarse for these letters
 	} catch (const Error&) {
@@ -96,7 +96,7 @@ TEST(Suspects, SheetsThatNearlyTouchAreLookedAt)
 	const double step = 1.0 / 1024;
 	const Shape thin = test_mesh::Slab(30, 20, step, 15, 10);
 	const CutExample e(thin, ThreeLetters(), FromAbove(), 4 * step);
-	const SheetLayer layer = FindLayer(e.sheet, FindSeeds(e.space, e.sheet, ThreeLetters(), 4 * step));
+	const SheetLayer layer = FindLayer(e.sheet, ThreeLetters(), FindSeeds(e.space, e.sheet, ThreeLetters(), 4 * step));
 	const LabelPatch patch = RaiseLabel(e.space, e.sheet, e.cut, 1, ExtrudeAlong::Viewpoint);
 	const auto position = RoundedPositions(e.sheet, patch, [step](double x) { return OnGrid(x, step); });
 	const Suspects suspects = FindSuspects(e.space, e.sheet, layer, patch, position, 1, 4 * step);

@@ -19,7 +19,8 @@ struct Layered {
 
 	Layered(const Shape& shape, double halfWidth, double halfHeight, const LabelFrame& frame = FromAbove())
 		: space(frame), sheet(CandidatesOf(shape, space, halfWidth, halfHeight)),
-		  layer(FindLayer(sheet, FindSeeds(space, sheet, Letters({Rectangle(-1, -1, 1, 1)}), 1e-6)))
+		  layer(FindLayer(sheet, Letters({Rectangle(-1, -1, 1, 1)}),
+	                      FindSeeds(space, sheet, Letters({Rectangle(-1, -1, 1, 1)}), 1e-6)))
 	{}
 	int members() const { return int(std::count(layer.member.begin(), layer.member.end(), 1)); }
 };
@@ -31,6 +32,9 @@ TEST(Layer, TheTopOfASlabIsSingle)
 	for (size_t t = 0; t < l.sheet.triangles.size(); ++t) EXPECT_EQ(l.layer.has(int(t)), l.sheet.triangles[t].facing);
 	EXPECT_GT(l.members(), 0);
 }
+
+// The middle of a needle under a letter lies far beyond the letter.
+TEST(Layer, ATopOfNeedlesIsSingle) { EXPECT_TRUE(Layered(test_mesh::Fan(300, 40, 4), 8, 6).layer.isSingle); }
 
 TEST(Layer, AnEdgeOfThePartInTheBoxIsNot)
 {

@@ -324,6 +324,32 @@ TEST(Refusal, AFinThatReachesBehindTheCamera)
 	EXPECT_CODE(e, NonManifold);
 }
 
+// A long bar runs over a hole, far from its corners and near to a dot.
+TEST(Refusal, NamesTheLetterThatIsWrongAndNotOneBesideIt)
+{
+	Shape holed = FlatSheet(2);
+	const auto isHole = [&](const std::array<int, 3>& f) {
+		const Point3d middle =
+			(holed.points[size_t(f[0])] + holed.points[size_t(f[1])] + holed.points[size_t(f[2])]) / 3;
+		return middle[0] > 0 && middle[0] < 2 && middle[1] > 0 && middle[1] < 2;
+	};
+	holed.faces.erase(std::remove_if(holed.faces.begin(), holed.faces.end(), isHole), holed.faces.end());
+	const Error e = Refused(holed, Letters({Rectangle(-9, 0.5, 9, 1.5), RegularPolygon(0.5, -0.6, 0.4, 24)}));
+	EXPECT_CODE(e, Border);
+	EXPECT_EQ(e.letter, 0);
+}
+
+// Seen in perspective from the side, a plane that is parallel to the label's is as long as in the label.
+TEST(Refusal, NoStretchOnAPlaneThatIsParallel)
+{
+	FloatMesh m;
+	test_mesh::Fill(m, test_mesh::Slab(60, 60, 2, 10, 10));
+	LabelFrame frame = FromAbovePerspective(10);
+	LabelOptions options;
+	options.maxStretch = 1.001;
+	EXPECT_NEAR(LabelMesh(m, Letters({Rectangle(20, -1, 24, 1)}), frame, options).stretch, 1, 1e-9);
+}
+
 TEST(Refusal, SteepPlane)
 {
 	const Shape steep =

@@ -32,6 +32,25 @@ TEST(Refusal, DeeperThanTheWall)
 		}
 }
 
+// The limit that is told leaves of the wall what must stay.
+TEST(Refusal, TheDepthThatIsToldWorks)
+{
+	for (const double offset : {0.0, 4000.0}) {
+		const Shape thin = test_mesh::Slab(30, 20, 1.25, 15, 10).moved([&](const Point3d& p) {
+			return p + Point3d(offset, offset, 0);
+		});
+		LabelFrame frame;
+		frame.origin = {offset, offset, 0};
+		const Error e = Refused(thin, ThreeLetters(), frame, -1.25);
+		EXPECT_CODE(e, HitsSurface);
+		FloatMesh m;
+		test_mesh::Fill(m, thin);
+		LabelOptions options;
+		options.height = -e.limit;
+		EXPECT_NO_THROW(LabelMesh(m, ThreeLetters(), frame, options)) << e.limit;
+	}
+}
+
 // A shelf above the plate, at z from 2 to 3 over y from 9 to 15; seen slantwise the letter at y from 9.5 to 10.6 lies in under it.
 TEST(Refusal, IntoTheCeiling)
 {

@@ -176,7 +176,10 @@ public:
 		const double length = along.Norm(), height = (along ^ (at(c) - at(a))).Norm() / length,
 					 foot = along * (at(c) - at(a)) / length;
 		if (!(height < thinnest_ && foot > thinnest_ && foot < length - thinnest_) || c == d) return false;
-		if (!isFanWhole(c) && !isFanWhole(d)) return false;
+		if (!isFanWhole(c) && !isFanWhole(d)) {
+			sheet_.capReach = std::max(sheet_.capReach, (sheet_.plane(b) - sheet_.plane(a)).Norm());
+			return false;
+		}
 		const auto facing = [&](int p, int q, int r) {
 			return Orient2d(sheet_.plane(p), sheet_.plane(q), sheet_.plane(r)) > 0;
 		};

@@ -8,8 +8,8 @@
 // vertex within `snap` goes through that vertex. The rule is applied along the way and the march goes on from the point where it
 // really is, so what follows is decided (by sign, exactly) about the path that is built and not about the one that was wished for.
 // `snap` is a few units in the last place of the output's coordinates: of float32, 1e8 times the rounding of the arithmetic in
-// doubles. No decision hangs on a rounding error. No vertex of the mesh moves; a contour moves by `snap` at most for each vertex
-// it meets.
+// doubles. No decision hangs on a rounding error. No vertex of the mesh moves; a contour moves by `snap` at most: what it passes is
+// measured from the segment that was wished for as well, or it would follow a row of vertices that it leaves at a small angle.
 
 #include "sheet.h"
 
@@ -66,8 +66,13 @@ private:
 	bool settle(int triangle, const vcg::Point2d& p, PathNode& node) const;
 	/// Where the line from-to crosses half-edge h.
 	PathNode crossing(int h, const vcg::Point2d& from, const vcg::Point2d& to) const;
-	/// True when the segment from-to passes vertex v within snap.
+	/// True when the segment from-to passes vertex v within snap, and so does the contour's own.
 	bool isPassed(int v, const vcg::Point2d& from, const vcg::Point2d& to) const;
+	/// How far vertex v is from the line a-b, times its length.
+	double offLine(int v, const vcg::Point2d& a, const vcg::Point2d& b) const
+	{
+		return std::abs((b - a) ^ (sheet_.plane(v) - a));
+	}
 
 	/// One step from `node` towards `target`; true when `next` is the target itself.
 	bool step(const PathNode& node, const vcg::Point2d& target, PathNode& next) const;
@@ -92,8 +97,9 @@ private:
 
 	const Sheet& sheet_;
 	double snap_;
-	mutable std::vector<int> fan_;            ///< scratch
-	mutable const PathNode* goal_ = nullptr;  ///< where the contour closes, on its last leg
+	mutable std::vector<int> fan_;                ///< scratch
+	mutable const PathNode* goal_ = nullptr;      ///< where the contour closes, on its last leg
+	mutable std::array<vcg::Point2d, 2> wished_;  ///< the segment of the contour at hand
 };
 
 // ---------------------------------------------------------------------------------------------------------------------------
@@ -142,7 +148,8 @@ inline bool EdgeMarch::isPassed(int v, const vcg::Point2d& from, const vcg::Poin
 {
 	const vcg::Point2d d = to - from, x = sheet_.plane(v) - from;
 	const double length = d.Norm(), along = x * d;
-	return along > 0 && along < length * length && std::abs(d ^ x) <= snap_ * length;
+	return along > 0 && along < length * length && offLine(v, from, to) <= snap_ * length &&
+	       offLine(v, wished_[0], wished_[1]) <= snap_ * (wished_[1] - wished_[0]).Norm();
 }
 
 inline PathNode EdgeMarch::crossing(int h, const vcg::Point2d& from, const vcg::Point2d& to) const
@@ -313,6 +320,7 @@ inline SheetPath EdgeMarch::march(const std::vector<vcg::Point2d>& points, int t
 	for (size_t i = 1; i <= points.size(); ++i) {
 		const vcg::Point2d target = i < points.size() ? points[i] : node.plane;
 		goal_ = i < points.size() ? nullptr : &node;
+		wished_ = {points[i - 1], points[i % points.size()]};
 		for (size_t steps = 0;; ++steps) {
 			PathNode next;
 			if (steps > patience) refuse("the march does not end", target);

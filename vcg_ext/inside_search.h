@@ -35,8 +35,13 @@ public:
 private:
 	void indexPieces(int regionCount);
 	void startAlongEdges();
-	void enter(int region);
-	void markOutside(int region);
+	/// @param[in] halfEdge  beside the region: the place, when it can't be
+	void enter(int region, int halfEdge);
+	void markOutside(int region, int halfEdge);
+	[[noreturn]] void refuse(int halfEdge) const
+	{
+		throw PlacementConflict{"inside and outside of a letter meet", sheet_.plane(sheet_.from(halfEdge))};
+	}
 	void cross(const BorderPiece& piece);
 	[[noreturn]] void throwOffSheet(int halfEdge) const;
 	bool isContour(int from, int to) const;
@@ -108,26 +113,26 @@ inline void InsideSearch::startAlongEdges()
 {
 	for (const ContourPiece& piece : pieces_) {
 		if (piece.halfEdge < 0) continue;
-		enter(regionBeside(piece.from, piece.to, piece.halfEdge / 3));
+		enter(regionBeside(piece.from, piece.to, piece.halfEdge / 3), piece.halfEdge);
 		const int twin = sheet_.twin[size_t(piece.halfEdge)];
-		if (twin >= 0) markOutside(regionBeside(piece.to, piece.from, twin / 3));
+		if (twin >= 0) markOutside(regionBeside(piece.to, piece.from, twin / 3), twin);
 	}
 }
 
-inline void InsideSearch::enter(int region)
+inline void InsideSearch::enter(int region, int halfEdge)
 {
 	Side& side = side_[size_t(region)];
-	if (side == Side::Outside) throw PlacementConflict{"inside and outside of a letter meet", {0, 0}};
+	if (side == Side::Outside) refuse(halfEdge);
 	if (side == Side::Unknown) {
 		side = Side::Inside;
 		stack_.push_back(region);
 	}
 }
 
-inline void InsideSearch::markOutside(int region)
+inline void InsideSearch::markOutside(int region, int halfEdge)
 {
 	Side& side = side_[size_t(region)];
-	if (side == Side::Inside) throw PlacementConflict{"inside and outside of a letter meet", {0, 0}};
+	if (side == Side::Inside) refuse(halfEdge);
 	side = Side::Outside;
 }
 
@@ -136,7 +141,7 @@ inline void InsideSearch::cross(const BorderPiece& piece)
 	if (isContour(piece.from, piece.to)) return;
 	const int across = sheet_.facingAcross(piece.halfEdge);
 	if (across < 0) throwOffSheet(piece.halfEdge);
-	enter(regionBeside(piece.to, piece.from, across));
+	enter(regionBeside(piece.to, piece.from, across), piece.halfEdge);
 }
 
 inline void InsideSearch::throwOffSheet(int halfEdge) const

@@ -8,6 +8,7 @@
 // again, in a fixed spiral, so that the same input always gives the same bytes. No point of a contour moves by more than
 // `resolution`, which is what the result states. No vertex of the mesh moves to make room for a contour.
 
+#include "contour_check.h"
 #include "cut_repair.h"
 #include "label_clearance.h"
 #include "label_seed.h"
@@ -86,7 +87,7 @@ private:
 	void requireOutward(const LabelPatch& patch) const;
 	[[noreturn]] void refuseHeight(const LabelPlan& plan, const PatchVerdict& verdict) const;
 	PatchVerdict check(const LabelPatch& patch, double height) const;
-	std::vector<int> trianglesAround(int face) const;
+	std::vector<int> capsFor(const Outline& outline, int face) const;
 	void report(int percent) const;
 
 	const LabelSpace& space_;
@@ -99,6 +100,45 @@ private:
 };
 
 // ---------------------------------------------------------------------------------------------------------------------------
+
+namespace detail {
+
+/// How many times as long as in the label plane a length can be on the surface: the largest singular value of the projection back.
+/// @param[in] at  label space
+/// @param[in] normal  of the surface there, any length
+inline double StretchOf(const LabelSpace& space, const vcg::Point3d& at, const vcg::Point3d& normal)
+{
+	const vcg::Point3d towards = space.towardsViewer(at);
+	const double cosine = normal * towards;
+	if (!(cosine > 0)) return std::numeric_limits<double>::infinity();
+	// a step along u or v in the label plane, scaled to this depth and carried along the ray to the surface
+	const vcg::Point3d u = vcg::Point3d(1, 0, 0) - towards * (normal[0] / cosine),
+					   v = vcg::Point3d(0, 1, 0) - towards * (normal[1] / cosine);
+	const double mean = (u * u + v * v) / 2, half = (u * u - v * v) / 2;
+	return std::sqrt(mean + std::hypot(half, u * v)) / space.magnification(at);
+}
+
+/// Where a point of the label plane is seen on the candidates; on the plane itself where none lies under it.
+/// @return mesh coordinates
+inline vcg::Point3d SeenAt(const LabelSpace& space, const Sheet& sheet, const vcg::Point2d& p)
+{
+	vcg::Point3d seen(p[0], p[1], 0);
+	double nearest = -std::numeric_limits<double>::infinity();
+	for (int t = 0; t < int(sheet.triangles.size()); ++t) {
+		if (!sheet.triangles[size_t(t)].facing) continue;
+		const vcg::Point3d w = SpaceWeights(space, sheet, t, p);
+		if (!(std::min({w[0], w[1], w[2]}) >= 0)) continue;
+		vcg::Point3d q(0, 0, 0);
+		for (int k = 0; k < 3; ++k)
+			q += sheet.vertices[size_t(sheet.triangles[size_t(t)].vertex[size_t(k)])].label * w[k];
+		if (!(q[2] > nearest)) continue;
+		nearest = q[2];
+		seen = q;
+	}
+	return space.toMesh(seen);
+}
+
+}  // namespace detail
 
 inline LabelPlanner::LabelPlanner(const LabelSpace& space, Sheet& sheet, Precision precision,
                                   const LabelOptions& options)
@@ -199,8 +239,9 @@ inline LabelPlan LabelPlanner::plan(const Outline& outline)
 	const double height = std::abs(options_.height);
 	if (conflict.code == ErrorCode::TooFine && height > 0 && height <= snap_)
 		throw Error(ErrorCode::BadHeight, "finer than the coordinates").measured(height, snap_);
-	vcg::Point3d onPlane(conflict.place[0], conflict.place[1], 0);
-	throw Error(conflict.code, conflict.why).atPlace(space_.toMesh(onPlane)).measured(0, leastStroke());
+	throw Error(conflict.code, conflict.why)
+		.atPlace(detail::SeenAt(space_, sheet_, conflict.place))
+		.measured(0, leastStroke());
 }
 
 /// Lay the label once, and once more without the caps that it met when they stand in its way.
@@ -212,7 +253,7 @@ inline bool LabelPlanner::attempt(const Outline& outline, bool last, LabelPlan& 
 		LabelCutter cutter(space_, sheet_, snap_);
 		try {
 			plan.cut = cutter.cut(outline, seeds);
-			layer_ = FindLayer(sheet_, seeds);
+			layer_ = FindLayer(sheet_, outline, seeds);
 			finish(plan, last);
 			return true;
 		} catch (const PlacementConflict& c) {
@@ -220,7 +261,7 @@ inline bool LabelPlanner::attempt(const Outline& outline, bool last, LabelPlan& 
 			plan.surfaceArea = 0;
 			plan.stretch = 1;
 		} catch (const Error& e) {  // a triangle without area has no front: it looks like a horizon
-			if (e.code != ErrorCode::Silhouette || !FlipCaps(sheet_, trianglesAround(e.face), capUlps * meshUlp_))
+			if (e.code != ErrorCode::Silhouette || !FlipCaps(sheet_, capsFor(outline, e.face), capUlps * meshUlp_))
 				throw;
 			conflict = {"a cap below a cap", space_.project(space_.toLabel(e.place)), e.code};
 			continue;
@@ -230,10 +271,18 @@ inline bool LabelPlanner::attempt(const Outline& outline, bool last, LabelPlan& 
 	return false;
 }
 
-/// The sheet triangle of a face of the mesh, and its neighbours.
-inline std::vector<int> LabelPlanner::trianglesAround(int face) const
+/// Where to look for caps when a letter seems to meet a horizon: at the face where it does, beside it, and all that do not face the
+/// viewer within the letters: an edge with many vertices on one side has as many caps in a row.
+inline std::vector<int> LabelPlanner::capsFor(const Outline& outline, int face) const
 {
 	std::vector<int> around;
+	const std::vector<PlaneBox> boxes = detail::BoxesOfContours(outline);
+	for (int t = 0; t < int(sheet_.triangles.size()); ++t) {
+		if (sheet_.triangles[size_t(t)].facing) continue;
+		const auto& v = sheet_.triangles[size_t(t)].vertex;
+		const vcg::Point2d middle = (sheet_.plane(v[0]) + sheet_.plane(v[1]) + sheet_.plane(v[2])) / 3;
+		if (detail::WindingAround(outline, boxes, outline.contours.size(), middle) > 0) around.push_back(t);
+	}
 	for (int t = 0; t < int(sheet_.triangles.size()); ++t) {
 		if (sheet_.triangles[size_t(t)].face != face) continue;
 		around.push_back(t);
@@ -287,8 +336,7 @@ inline void LabelPlanner::measureSurface(LabelPlan& plan) const
 		const double longest =
 			std::sqrt(std::max({(b - a).SquaredNorm(), (c - b).SquaredNorm(), (a - c).SquaredNorm()}));
 		if (normal.Norm() <= 2 * snap_ * longest) continue;  // thinner than the resolution: its normal says nothing
-		const double cosine = normal * space_.towardsViewer(middle) / normal.Norm();
-		const double stretch = 1 / (cosine * space_.magnification(middle));
+		const double stretch = detail::StretchOf(space_, middle, normal);
 		plan.stretch = std::max(plan.stretch, stretch);
 		if (!(stretch <= options_.maxStretch))
 			throw Error(ErrorCode::Grazing, "the surface is steep to the view")
@@ -316,7 +364,7 @@ inline void LabelPlanner::checkRoom(LabelPlan& plan) const
 		throw Error(ErrorCode::HitsSurface, "the floor comes out behind")
 			.atFace(clearance.face)
 			.atPlace(clearance.place)
-			.measured(-options_.height, clearance.behind);
+			.measured(-options_.height, std::max(clearance.behind - margin * snap_, 0.0));
 }
 
 /// Whether all that is raised stays on the line of sight through it.

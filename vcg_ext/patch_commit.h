@@ -56,6 +56,19 @@ void MixVertex(MeshType& m, const Sheet& sheet, const PatchVertex& from, typenam
 	}
 }
 
+/// Barycentric coordinates of a point near a triangle, none negative.
+inline std::array<double, 3> NearestWeights(const std::array<vcg::Point3d, 3>& corner, const vcg::Point3d& p)
+{
+	const vcg::Point3d normal = (corner[1] - corner[0]) ^ (corner[2] - corner[0]);
+	std::array<double, 3> w;
+	for (size_t k = 0; k < 3; ++k)
+		w[k] = std::max(((corner[(k + 1) % 3] - p) ^ (corner[(k + 2) % 3] - p)) * normal, 0.0);
+	const double sum = w[0] + w[1] + w[2];
+	if (!(sum > 0)) return {1, 0, 0};
+	for (double& x : w) x /= sum;
+	return w;
+}
+
 /// How much of each corner of sheet triangle `parent` there is in a point of the patch.
 inline std::array<double, 3> CornerWeights(const Sheet& sheet, const LabelPatch& patch, int point, int parent)
 {
@@ -71,7 +84,13 @@ inline std::array<double, 3> CornerWeights(const Sheet& sheet, const LabelPatch&
 		for (size_t i = 0; i < 3; ++i)
 			if (mixture.parent[i] == corner[k]) w[k] += mixture.weight[i];
 	}
-	return w;
+	constexpr double rounding = 1e-9;
+	if (std::abs(w[0] + w[1] + w[2] - 1) <= rounding) return w;
+	// a short edge was collapsed (cut_repair.h): the point lies in a neighbour, or beside the triangle by less than the resolution
+	const auto at = [&](size_t k) { return sheet.vertices[size_t(corner[k])].mesh; };
+	const int ground = point < old ? -1 : patch.vertices[size_t(point - old)].ground, on = ground < 0 ? point : ground;
+	return NearestWeights({at(0), at(1), at(2)},
+	                      on < old ? sheet.vertices[size_t(on)].mesh : patch.vertices[size_t(on - old)].mesh);
 }
 
 /// The texture coordinates of a face's corners in their stored order.

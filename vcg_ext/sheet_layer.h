@@ -21,8 +21,9 @@ struct SheetLayer {
 };
 
 /// Find the layer of a label.
-/// @param[in] seeds  facing triangles, those under the contours' first points
-SheetLayer FindLayer(const Sheet& sheet, const std::vector<int>& seeds);
+/// @param[in] outline  within the sheet's box
+/// @param[in] seeds  #contours: facing triangles, those under the contours' first points
+SheetLayer FindLayer(const Sheet& sheet, const Outline& outline, const std::vector<int>& seeds);
 
 // ---------------------------------------------------------------------------------------------------------------------------
 
@@ -43,8 +44,8 @@ inline bool MayEnter(const PlaneBox& box, const vcg::Point2d& a, const vcg::Poin
 	return left < 4 && right < 4;
 }
 
-/// Whether exactly one member of a layer holds p, in its interior.
-inline bool IsCoveredOnce(const Sheet& sheet, const SheetLayer& layer, const vcg::Point2d& p)
+/// How many members of a layer hold p in their interior; -1 when it lies on the edge of one.
+inline int CountCovers(const Sheet& sheet, const SheetLayer& layer, const vcg::Point2d& p)
 {
 	int covers = 0;
 	for (size_t t = 0; t < sheet.triangles.size(); ++t) {
@@ -54,15 +55,15 @@ inline bool IsCoveredOnce(const Sheet& sheet, const SheetLayer& layer, const vcg
 		if (std::max({a[0], b[0], c[0]}) < p[0] || std::min({a[0], b[0], c[0]}) > p[0]) continue;
 		if (std::max({a[1], b[1], c[1]}) < p[1] || std::min({a[1], b[1], c[1]}) > p[1]) continue;
 		const int least = std::min({Orient2d(a, b, p), Orient2d(b, c, p), Orient2d(c, a, p)});
-		if (least == 0) return false;  // on an edge: no count
+		if (least == 0) return -1;
 		covers += least > 0;
 	}
-	return covers == 1;
+	return covers;
 }
 
 }  // namespace detail
 
-inline SheetLayer FindLayer(const Sheet& sheet, const std::vector<int>& seeds)
+inline SheetLayer FindLayer(const Sheet& sheet, const Outline& outline, const std::vector<int>& seeds)
 {
 	SheetLayer layer;
 	layer.box = sheet.box;
@@ -85,10 +86,15 @@ inline SheetLayer FindLayer(const Sheet& sheet, const std::vector<int>& seeds)
 	}
 	const auto isMember = [&layer](int seed) { return layer.member[size_t(seed)] != 0; };
 	if (isOpen || !std::all_of(seeds.begin(), seeds.end(), isMember)) return layer;  // or it stands on several surfaces
-	for (const int seed : seeds) {
-		const auto& v = sheet.triangles[size_t(seed)].vertex;
-		const vcg::Point2d middle = (sheet.plane(v[0]) + sheet.plane(v[1]) + sheet.plane(v[2])) / 3;
-		if (!layer.isSingle && layer.box.holds(middle)) layer.isSingle = detail::IsCoveredOnce(sheet, layer, middle);
+	for (size_t i = 0; i < seeds.size(); ++i) {
+		const auto& v = sheet.triangles[size_t(seeds[i])].vertex;
+		for (const vcg::Point2d& p :
+		     {outline.contours[i].points[0], (sheet.plane(v[0]) + sheet.plane(v[1]) + sheet.plane(v[2])) / 3}) {
+			const int covers = layer.box.holds(p) ? detail::CountCovers(sheet, layer, p) : -1;
+			if (covers < 0) continue;  // on an edge there is no count
+			layer.isSingle = covers == 1;
+			return layer;
+		}
 	}
 	return layer;
 }

@@ -52,6 +52,9 @@ inline void RequireCountable(size_t vertices, size_t faces)
 /// @param[in] frame  where the label plane lies and from where it is projected
 /// @post  same topology class; the surface outside the letters is the same set of points; faces that no letter touches are the same
 ///        bit for bit; valid also after rounding to float32 and merging equal points, unless survivesFloat32 says otherwise
+/// For the caller to bring up to date, as after any of VCGlib's algorithms that add faces: normals, the bounding box, FF and VF
+/// adjacency and border flags of what is new (LabelResult lists it). Flags, colours and the like of a new face are those of the one
+/// that it is a piece of, or stands on; custom attributes of what is appended have their default value.
 /// @throws Error
 template <class MeshType>
 LabelResult LabelMesh(MeshType& m, const Outline& outline, const LabelFrame& frame, const LabelOptions& options = {});
@@ -75,7 +78,7 @@ inline PlaneBox CheckedBox(const Outline& outline)
 	return box;
 }
 
-/// Six times the volume between two sets of faces with the same border, about one of their points.
+/// The volume between two sets of faces with the same border, about one of their points.
 inline double VolumeChange(const Sheet& sheet, const LabelPatch& patch, bool mirrors)
 {
 	const auto position = RoundedPositions(sheet, patch, [](double x) { return x; });
@@ -93,18 +96,21 @@ inline double VolumeChange(const Sheet& sheet, const LabelPatch& patch, bool mir
 	return (mirrors ? -sum : sum) / 6;
 }
 
-/// The letter of a place that went wrong: that of the contour whose points come nearest to it.
+/// The letter of a place that went wrong: that of the contour which comes nearest to it.
 inline int NearestLetter(const LabelSpace& space, const Outline& outline, const vcg::Point3d& mesh)
 {
 	const vcg::Point2d p = space.project(space.toLabel(mesh));
 	double nearest = std::numeric_limits<double>::infinity();
 	int letter = -1;
 	for (const Contour& c : outline.contours)
-		for (const vcg::Point2d& q : c.points)
-			if ((q - p).SquaredNorm() < nearest) {
-				nearest = (q - p).SquaredNorm();
-				letter = c.letter;
-			}
+		for (size_t i = 0, j = c.points.size() - 1; i < c.points.size(); j = i++) {
+			const vcg::Point2d &a = c.points[j], d = c.points[i] - a;
+			const double length = d.SquaredNorm(), along = length > 0 ? std::clamp((p - a) * d / length, 0.0, 1.0) : 0;
+			const double distance = (a + d * along - p).SquaredNorm();
+			if (!(distance < nearest)) continue;
+			nearest = distance;
+			letter = c.letter;
+		}
 	return letter;
 }
 
@@ -138,7 +144,8 @@ struct PlannedLabel {
 /// What the candidates are collected in.
 struct PlanBox {
 	PlaneBox plane;
-	double room = 0;  ///< world units: between the outline and the border of the box
+	double room = 0;         ///< world units: between the outline and the border of the box
+	bool isForCaps = false;  ///< it was made larger for Sheet::capReach
 
 	void grow(double margin)
 	{
@@ -170,8 +177,12 @@ PlannedLabel PlanInBox(const MeshType& m, const LabelSpace& space, const Outline
 	try {
 		p.plan = LabelPlanner(space, p.sheet, precision, options).plan(outline);
 	} catch (const Error& e) {
-		if (e.code != ErrorCode::OffSurface || !p.sheet.isShallow) throw;
-		return PlanInBox(m, space, outline, box, options, true, precision);  // or over a back
+		if (e.code == ErrorCode::OffSurface && p.sheet.isShallow)  // or over a back
+			return PlanInBox(m, space, outline, box, options, true, precision);
+		if (e.code == ErrorCode::Cancelled || box.isForCaps || !(p.sheet.capReach > 0)) throw;
+		box.grow(2 * p.sheet.capReach);
+		box.isForCaps = true;
+		return PlanInBox(m, space, outline, box, options, seesAll, precision);
 	}
 	return p;
 }

@@ -45,7 +45,7 @@ public:
 	{
 		return vcg::textlabel::LabelCutter(space_, sheet_, snap_).cut(outline_, seeds_);
 	}
-	vcg::textlabel::SheetLayer layer() const { return vcg::textlabel::FindLayer(sheet_, seeds_); }
+	vcg::textlabel::SheetLayer layer() const { return vcg::textlabel::FindLayer(sheet_, outline_, seeds_); }
 	/// As deep as LabelPlanner looks below letters that are raised.
 	double clearance() const
 	{
