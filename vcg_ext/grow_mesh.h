@@ -52,11 +52,22 @@ inline bool ReusePages(const void* old, size_t oldBytes, const void* fresh, size
 	void *const source = reinterpret_cast<void*>(from), *const target = reinterpret_cast<void*>(to);
 	volatile char* const left = static_cast<char*>(source);
 	*left = 1;
-	constexpr int how = MREMAP_MAYMOVE | MREMAP_FIXED | MREMAP_DONTUNMAP;
-	if (mremap(source, bytes, bytes, how, target) == target && *left == 0) return true;
-	// Memory that is shared would now be in both places; and a call that fails late has taken the target's pages away.
-	mmap(target, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_FIXED, -1, 0);
-	return false;
+	// First to a place that is nobody's: where memory can't be moved (it is shared, or mapped in pieces, as an array may be that was moved
+	// like this before), Linux before 6.17 has taken the pages from the place by then, and another thread could get them. Its first
+	// and last page stay ours, so that it does not grow together with its neighbours.
+	char* const place =
+		static_cast<char*>(mmap(nullptr, bytes + 2 * page, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0));
+	if (place == MAP_FAILED) return false;
+	constexpr int how = MREMAP_MAYMOVE | MREMAP_FIXED;
+	void* const between = mremap(source, bytes, bytes, how | MREMAP_DONTUNMAP, place + page);
+	const bool isThere = between != MAP_FAILED, isPrivate = *left == 0;
+	const bool isMoved = isThere && isPrivate && mremap(between, bytes, bytes, how, target) == target;
+	if (isThere && !isMoved) munmap(between, bytes);
+	if (isThere && isPrivate && !isMoved)  // no memory for the kernel's own tables: the target has to be there again
+		mmap(target, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_FIXED, -1, 0);
+	munmap(place, page);
+	munmap(place + page + bytes, page);
+	return isMoved;
 #else
 	return (void)old, (void)oldBytes, (void)fresh, (void)freshBytes, false;
 #endif
