@@ -311,17 +311,50 @@ TEST(Refusal, StripsThatRiseBehindTheCamera)
 	EXPECT_CODE(Refused(ramp, Letters({Rectangle(-1, -1, 400, 1)}), FromAbovePerspective(20), 0.1), BehindCamera);
 }
 
-// A vertex under the letter belongs to a triangle that reaches behind the camera too: it would be dragged along.
-TEST(Refusal, AFinThatReachesBehindTheCamera)
+/// A plate with a triangle that stands on its vertex (1, 0, 0) and reaches up to z = 30.
+Shape Fin(const Point3d& a, const Point3d& b)
 {
 	Shape fin = Plate();
 	const auto under = std::find_if(fin.points.begin(), fin.points.end(),
 	                                [](const Point3d& p) { return (p - Point3d(1, 0, 0)).Norm() < 1e-9; });
-	ASSERT_NE(under, fin.points.end());
-	const int foot = int(under - fin.points.begin()), a = fin.add({1, 0.5, 30}), b = fin.add({1, -0.5, 30});
-	fin.faces.push_back({foot, a, b});
-	const Error e = Refused(fin, Letters({Rectangle(-1.5, -1.5, 1.5, 1.5)}), FromAbovePerspective(20), -0.5);
-	EXPECT_CODE(e, NonManifold);
+	const int foot = int(under - fin.points.begin()), first = fin.add(a), second = fin.add(b);
+	fin.faces.push_back({foot, first, second});
+	return fin;
+}
+
+// A vertex under the letter belongs to a triangle that reaches behind the camera too: it would be dragged along.
+TEST(Refusal, AFinThatReachesBehindTheCamera)
+{
+	const Outline letter = Letters({Rectangle(-1.5, -1.5, 1.5, 1.5)});
+	const Shape edgeOn = Fin({1, 0, 30}, {0.5, 0, 30}), across = Fin({1, 0.5, 30}, {1, -0.5, 30});
+	EXPECT_CODE(Refused(edgeOn, letter, FromAbovePerspective(20), -0.5), NonManifold);
+	const Error hidden = Refused(across, letter, FromAbovePerspective(20), -0.5);
+	EXPECT_CODE(hidden, Occluded);
+	EXPECT_EQ(hidden.face, int(across.faces.size()) - 1);
+}
+
+// A lid over the label that reaches behind the camera is seen in part, and hides what is below it; one that is behind the plate does not.
+TEST(Refusal, UnderALidThatReachesBehindTheCamera)
+{
+	for (const double bottom : {2.0, -30.0}) {
+		Shape both = test_mesh::Slab(20, 20, 2, 10, 10);
+		const int a = both.add({-6, -6, bottom}), b = both.add({6, -6, bottom}), c = both.add({0, 60, bottom + 50}),
+				  d = both.add({0, 40, bottom + 20});
+		for (const std::array<int, 3>& f : {std::array<int, 3>{a, b, c}, {a, c, d}, {b, d, c}, {a, d, b}})
+			both.faces.push_back(f);
+		const Outline letter = Letters({Rectangle(-1, -1, 1, 1)});
+		for (const double height : {0.5, 0.0}) {
+			if (bottom > 0) {
+				EXPECT_CODE(Refused(both, letter, FromAbovePerspective(10), height), Occluded);
+				continue;
+			}
+			FloatMesh m;
+			test_mesh::Fill(m, both);
+			LabelOptions options;
+			options.height = height;
+			EXPECT_NO_THROW(LabelMesh(m, letter, FromAbovePerspective(10), options));
+		}
+	}
 }
 
 // A long bar runs over a hole, far from its corners and near to a dot.

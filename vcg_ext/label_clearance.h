@@ -21,7 +21,7 @@ struct Clearance {
 	int face = -1;                                ///< the mesh's face behind
 };
 
-/// Measure the room behind the letters and check that nothing hides them.
+/// Measure the room behind the letters and check that nothing hides them, no triangle that reaches behind the camera either.
 /// @param[in] resolution  world units; overlaps thinner than this are neighbours that touch
 /// @param[in] layer  of the label: its members need no look, since within its box they can't overlap the letters
 /// @param[in] within  world units: what lies deeper below the letters is not looked for
@@ -93,6 +93,30 @@ inline bool AreApart(const PlaneTriangle& s, const PlaneTriangle& t, double sliv
 	return false;
 }
 
+/// What is seen of a triangle that reaches behind the centre of projection, as triangles of the label plane.
+inline std::vector<PlaneTriangle> SeenOfStraddling(const LabelSpace& space, const StraddlingTriangle& t)
+{
+	constexpr double safely = 1e-3;  // of the distance from the centre to the plane behind which nothing is projected
+	const double limit = space.nearestZ() - safely * std::abs(space.nearestZ());
+	std::vector<vcg::Point2d> corner;
+	for (size_t k = 0; k < 3; ++k) {
+		const vcg::Point3d &a = t.label[k], &b = t.label[(k + 1) % 3];
+		if (a[2] <= limit) corner.push_back(space.project(a));
+		if ((a[2] <= limit) == (b[2] <= limit)) continue;
+		vcg::Point3d q = a + (b - a) * ((limit - a[2]) / (b[2] - a[2]));
+		q[2] = limit;
+		corner.push_back(space.project(q));
+	}
+	std::vector<PlaneTriangle> seen;
+	for (size_t k = 2; k < corner.size(); ++k) {
+		PlaneTriangle piece = {corner[0], corner[k - 1], corner[k]};
+		const int turn = Orient2d(piece[0], piece[1], piece[2]);
+		if (turn < 0) std::swap(piece[1], piece[2]);
+		if (turn != 0) seen.push_back(piece);
+	}
+	return seen;
+}
+
 /// Label space: the least z of the letters' surface.
 inline double FarthestZ(const Sheet& sheet, const CutLabel& cut)
 {
@@ -130,61 +154,102 @@ struct LetterSurface {
 
 }  // namespace detail
 
-inline Clearance MeasureClearance(const LabelSpace& space, const Sheet& sheet, const CutLabel& cut, double resolution,
-                                  const SheetLayer& layer, double within)
-{
-	const double farthest = detail::FarthestZ(sheet, cut);
-	std::unique_ptr<detail::LetterSurface> letters;  // most labels need none: all else lies deep below them
-	std::unique_ptr<PlaneGrid> grid;
-	const auto pointOn = [&](int triangle, const vcg::Point2d& p) {
-		const vcg::Point3d w = SpaceWeights(space, sheet, triangle, p);
-		vcg::Point3d q(0, 0, 0);
-		for (int k = 0; k < 3; ++k)
-			q += sheet.vertices[size_t(sheet.triangles[size_t(triangle)].vertex[size_t(k)])].label * w[k];
-		return q;
-	};
-	Clearance clearance;
-	for (int t = 0; t < int(sheet.triangles.size()); ++t) {
-		if (layer.has(t)) continue;
+namespace detail {
+
+/// Compares other surfaces with that of the letters, where they overlap in the label plane.
+class ClearanceSearch {
+public:
+	ClearanceSearch(const LabelSpace& space, const Sheet& sheet, const CutLabel& cut, double resolution, double within)
+		: space_(space), sheet_(sheet), cut_(cut), resolution_(resolution), within_(within),
+		  farthest_(FarthestZ(sheet, cut))
+	{}
+
+	/// @param[in] corner  of the other surface, counter-clockwise
+	/// @param[in] parent  the sheet triangle that it is, or -1
+	/// @param[in] face  of the mesh
+	/// @param[in] nearest  label space: its largest z
+	/// @param[in] pointOn  gives where it is seen at a point of the label plane, label space
+	/// @throws Error{Occluded}
+	template <class PointOn>
+	void compare(const PlaneTriangle& corner, int parent, int face, double nearest, const PointOn& pointOn)
+	{
 		// what lies deeper than the best found so far, measured along w, lies deeper along the rays as well
-		const double nearest = detail::NearestZ(sheet, t);
-		const auto isDeep = [&](double z) { return z - nearest >= std::min(within, clearance.behind); };
-		if (isDeep(farthest)) continue;
-		if (!letters) {
-			letters = std::make_unique<detail::LetterSurface>(sheet, cut);
-			grid = std::make_unique<PlaneGrid>(letters->plane);
+		const auto isDeep = [&](double z) { return z - nearest >= std::min(within_, found_.behind); };
+		if (isDeep(farthest_)) return;
+		if (!letters_) {
+			letters_ = std::make_unique<LetterSurface>(sheet_, cut_);
+			grid_ = std::make_unique<PlaneGrid>(letters_->plane);
 		}
-		const PlaneTriangle corner = detail::CornersInPlane(sheet, t);
-		grid->query(corner, 0, [&](int s) {
-			if (letters->parent[size_t(s)] == t || isDeep(letters->farthest[size_t(s)])) return;
-			const auto& letter = letters->plane[size_t(s)];
-			if (detail::AreApart(letter, corner, resolution) || detail::AreApart(corner, letter, resolution)) return;
-			detail::SmallPolygon overlap;
+		grid_->query(corner, 0, [&](int s) {
+			if (letters_->parent[size_t(s)] == parent || isDeep(letters_->farthest[size_t(s)])) return;
+			const PlaneTriangle& letter = letters_->plane[size_t(s)];
+			if (AreApart(letter, corner, resolution_) || AreApart(corner, letter, resolution_)) return;
+			SmallPolygon overlap;
 			for (const vcg::Point2d& p : corner) overlap.add(p);
 			for (size_t k = 0; k < 3 && overlap.size > 0; ++k)
 				overlap = overlap.clipped(letter[k], letter[(k + 1) % 3]);
-			if (overlap.size < 3 || overlap.area() <= resolution * overlap.perimeter()) return;
+			if (overlap.size < 3 || overlap.area() <= resolution_ * overlap.perimeter()) return;
 			double least = std::numeric_limits<double>::infinity(), most = -least;
 			vcg::Point3d place(0, 0, 0);
 			for (int i = 0; i < overlap.size; ++i) {
-				const vcg::Point3d q = pointOn(letters->parent[size_t(s)], overlap.point[size_t(i)]);
-				const double depth = (q - pointOn(t, overlap.point[size_t(i)])) * space.towardsViewer(q);  // > 0 behind
+				const vcg::Point2d& p = overlap.point[size_t(i)];
+				const vcg::Point3d q = pointOnSheet(letters_->parent[size_t(s)], p);
+				const double depth = (q - pointOn(p)) * space_.towardsViewer(q);  // > 0 behind
 				most = std::max(most, depth);
 				if (depth >= least) continue;
 				least = depth;
 				place = q;
 			}
-			const bool coincides = std::max(std::abs(least), std::abs(most)) <= resolution;
+			const bool coincides = std::max(std::abs(least), std::abs(most)) <= resolution_;
 			if (least + most < 0 || coincides)
 				throw Error(ErrorCode::Occluded,
 				            coincides ? "another surface in the same place" : "a surface in front of the label")
-					.atFace(sheet.triangles[size_t(t)].face)
-					.atPlace(space.toMesh(place));
-			if (least < clearance.behind)
-				clearance = {std::max(least, 0.0), space.toMesh(place), sheet.triangles[size_t(t)].face};
+					.atFace(face)
+					.atPlace(space_.toMesh(place));
+			if (least < found_.behind) found_ = {std::max(least, 0.0), space_.toMesh(place), face};
 		});
 	}
-	return clearance;
+	vcg::Point3d pointOnSheet(int triangle, const vcg::Point2d& p) const
+	{
+		const vcg::Point3d w = SpaceWeights(space_, sheet_, triangle, p);
+		vcg::Point3d q(0, 0, 0);
+		for (int k = 0; k < 3; ++k)
+			q += sheet_.vertices[size_t(sheet_.triangles[size_t(triangle)].vertex[size_t(k)])].label * w[k];
+		return q;
+	}
+	const Clearance& found() const { return found_; }
+
+private:
+	const LabelSpace& space_;
+	const Sheet& sheet_;
+	const CutLabel& cut_;
+	const double resolution_, within_, farthest_;
+	std::unique_ptr<LetterSurface> letters_;  // most labels need none: all else lies deep below them
+	std::unique_ptr<PlaneGrid> grid_;
+	Clearance found_;
+};
+
+}  // namespace detail
+
+inline Clearance MeasureClearance(const LabelSpace& space, const Sheet& sheet, const CutLabel& cut, double resolution,
+                                  const SheetLayer& layer, double within)
+{
+	detail::ClearanceSearch search(space, sheet, cut, resolution, within);
+	for (int t = 0; t < int(sheet.triangles.size()); ++t)
+		if (!layer.has(t))
+			search.compare(detail::CornersInPlane(sheet, t), t, sheet.triangles[size_t(t)].face,
+			               detail::NearestZ(sheet, t),
+			               [&](const vcg::Point2d& p) { return search.pointOnSheet(t, p); });
+	for (const StraddlingTriangle& t : sheet.straddling) {
+		const vcg::Point3d &c = space.center(), normal = (t.label[1] - t.label[0]) ^ (t.label[2] - t.label[0]);
+		const auto pointOn = [&](const vcg::Point2d& p) {
+			const vcg::Point3d ray = vcg::Point3d(p[0], p[1], 0) - c;
+			return c + ray * ((normal * (t.label[0] - c)) / (normal * ray));
+		};
+		for (const PlaneTriangle& piece : detail::SeenOfStraddling(space, t))
+			search.compare(piece, -1, t.face, std::numeric_limits<double>::infinity(), pointOn);
+	}
+	return search.found();
 }
 
 }  // namespace vcg::textlabel

@@ -82,6 +82,8 @@ public:
 	bool mirrors() const { return mirrors_; }
 	/// World length of one unit of mesh coordinates, the largest over all directions (bounded from above).
 	double scale() const { return scale_; }
+	/// Label space: what lies safely in front of the centre of projection has a smaller z.
+	double nearestZ() const { return nearestZ_; }
 	/// True when q lies safely in front of the centre of projection.
 	bool isInFront(const vcg::Point3d& q) const { return !perspective_ || q[2] < nearestZ_; }
 
