@@ -29,16 +29,32 @@ bool FlipCaps(Sheet& sheet, const std::vector<int>& triangles, double thinnest);
 
 namespace detail {
 
-/// One cut, while its short edges are collapsed.
+/// One cut, while its short edges are collapsed. What is near an edge is looked up once, before the first one goes: both ends of an
+/// edge that has gone are left alone from then on.
 class EdgeCollapser {
 public:
-	EdgeCollapser(const Sheet& sheet, CutLabel& cut) : sheet_(sheet), cut_(cut) {}
+	EdgeCollapser(const Sheet& sheet, CutLabel& cut)
+		: sheet_(sheet), cut_(cut), gone_(size_t(cut.points.count(sheet)), 0), start_(gone_.size() + 1, 0),
+		  pieceFrom_(gone_.size(), -1), pieceTo_(gone_.size(), -1)
+	{
+		for (const CutTriangle& t : cut.triangles)
+			for (const int v : t.point) ++start_[size_t(v) + 1];
+		for (size_t i = 1; i < start_.size(); ++i) start_[i] += start_[i - 1];
+		around_.resize(size_t(start_.back()));
+		std::vector<int> next(start_.begin(), start_.end() - 1);
+		for (size_t i = 0; i < cut.triangles.size(); ++i)
+			for (const int v : cut.triangles[i].point) around_[size_t(next[size_t(v)]++)] = int(i);
+		for (size_t i = 0; i < cut.pieces.size(); ++i) {
+			pieceFrom_[size_t(cut.pieces[i].from)] = int(i);
+			pieceTo_[size_t(cut.pieces[i].to)] = int(i);
+		}
+	}
 
 	void run(std::vector<std::pair<int, int>> edges)
 	{
 		bool changed = false;
 		for (auto [a, b] : edges) {
-			if (gone(a) || gone(b))
+			if (gone_[size_t(a)] || gone_[size_t(b)])
 				continue;                // its neighbourhood has changed already; the next round sees what is left
 			if (a > b) std::swap(a, b);  // the old vertex, or the earlier point, stays
 			if (isCollapsible(a, b)) {
@@ -55,15 +71,22 @@ public:
 	}
 
 private:
-	bool gone(int point) const { return std::find(gone_.begin(), gone_.end(), point) != gone_.end(); }
 	static bool has(const IndexTriangle& t, int point) { return t[0] == point || t[1] == point || t[2] == point; }
 
+	/// Visit the triangles of the cut around a point that has not gone.
+	template <class Use>
+	void eachCut(int point, Use&& use) const
+	{
+		for (int i = start_[size_t(point)]; i < start_[size_t(point) + 1]; ++i) {
+			CutTriangle& t = cut_.triangles[size_t(around_[size_t(i)])];
+			if (t.parent >= 0) use(t);
+		}
+	}
 	/// Visit all triangles around a point, of the cut and of what the cut left whole.
 	template <class Use>
 	void eachAround(int point, Use&& use) const
 	{
-		for (const CutTriangle& t : cut_.triangles)
-			if (t.parent >= 0 && has(t.point, point)) use(t.point);
+		eachCut(point, [&](const CutTriangle& t) { use(t.point); });
 		if (point >= int(sheet_.vertices.size())) return;
 		for (int i = sheet_.vertexStart[size_t(point)]; i < sheet_.vertexStart[size_t(point) + 1]; ++i) {
 			const int t = sheet_.vertexFan[size_t(i)];
@@ -91,35 +114,31 @@ private:
 		std::vector<int> common;
 		std::set_intersection(na.begin(), na.end(), nb.begin(), nb.end(), std::back_inserter(common));
 		if (faces == 0 || int(common.size()) != faces) return false;
-		bool aOnContour = false, joined = false;
-		for (const ContourPiece& p : cut_.pieces) {
-			aOnContour = aOnContour || p.from == a;
-			joined = joined || (p.from == a && p.to == b) || (p.from == b && p.to == a);
-		}
-		if (aOnContour && !joined) return false;  // would pinch two pieces together
-		for (const CutTriangle& t : cut_.triangles) {
-			if (t.parent < 0 || !has(t.point, b) || has(t.point, a) || !sheet_.triangles[size_t(t.parent)].facing)
-				continue;
+		const auto leads = [&](int from, int to) {
+			const int piece = pieceFrom_[size_t(from)];
+			return piece >= 0 && cut_.pieces[size_t(piece)].to == to;
+		};
+		if (pieceFrom_[size_t(a)] >= 0 && !leads(a, b) && !leads(b, a))
+			return false;  // would pinch two pieces together
+		bool turns = false;
+		eachCut(b, [&](const CutTriangle& t) {
+			if (has(t.point, a) || !sheet_.triangles[size_t(t.parent)].facing) return;
 			std::array<vcg::Point2d, 3> p;
 			for (size_t k = 0; k < 3; ++k) p[k] = cut_.points.at(sheet_, t.point[k] == b ? a : t.point[k]).plane;
-			if (Orient2d(p[0], p[1], p[2]) <= 0) return false;
-		}
-		return true;
+			turns = turns || Orient2d(p[0], p[1], p[2]) <= 0;
+		});
+		return !turns;
 	}
 	void collapse(int a, int b)
 	{
-		for (CutTriangle& t : cut_.triangles) {
-			if (t.parent < 0 || !has(t.point, b)) continue;
+		eachCut(b, [&](CutTriangle& t) {
 			if (has(t.point, a)) t.parent = -1;
 			for (int& v : t.point)
 				if (v == b) v = a;
-		}
-		for (ContourPiece& p : cut_.pieces) {
-			if (p.from == b) p.from = a;
-			if (p.to == b) p.to = a;
-		}
-		gone_.push_back(b);
-		gone_.push_back(a);
+		});
+		if (const int piece = pieceFrom_[size_t(b)]; piece >= 0) cut_.pieces[size_t(piece)].from = a;
+		if (const int piece = pieceTo_[size_t(b)]; piece >= 0) cut_.pieces[size_t(piece)].to = a;
+		gone_[size_t(a)] = gone_[size_t(b)] = 1;
 	}
 
 	void dropUnusedPoints()
@@ -148,7 +167,9 @@ private:
 
 	const Sheet& sheet_;
 	CutLabel& cut_;
-	std::vector<int> gone_;
+	std::vector<char> gone_;                ///< #points
+	std::vector<int> start_, around_;       ///< CSR: cut triangles around each point
+	std::vector<int> pieceFrom_, pieceTo_;  ///< #points: the contour piece that starts or ends there, or -1
 };
 
 /// A sheet, while caps are flipped away. Its half-edges are kept as they should be; its fans are not.
