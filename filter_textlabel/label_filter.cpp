@@ -67,13 +67,40 @@ void WriteText(const char* parameter, const std::string& path, const std::string
 		throw RequestError(RequestProblem::FileNotWritten, parameter, path);
 }
 
-void DrawPicture(const CMeshO& m, const LabelJob<CMeshO>& job, const LabelReport& report)
+enum class PartColors { None, OfVertices, OfFaces };
+
+PartColors ColorsOf(const MeshModel& model)
 {
-	const PartGeometry part = GeometryOf(m, job.frame().toWorld);
-	const PictureMesh mesh{
-		part.positions, part.triangles, {}, MarkTriangles(m, {&job.result().topFaces, &job.result().wallFaces})};
+	if (model.hasDataMask(MeshModel::MM_FACECOLOR)) return PartColors::OfFaces;
+	return model.hasDataMask(MeshModel::MM_VERTCOLOR) ? PartColors::OfVertices : PartColors::None;
+}
+
+/// @param[in] isLabel  #triangles of GeometryOf: these have the label's colour
+std::vector<PictureColor> PictureColors(const CMeshO& m, PartColors which, const std::vector<std::uint8_t>& isLabel,
+                                        const PictureColor& label)
+{
+	std::vector<PictureColor> colors;
+	for (const auto& f : m.face) {
+		if (f.IsD() || which == PartColors::None) continue;
+		PictureColor color = label;
+		for (int i = 0; i < 3 && !isLabel[colors.size()]; ++i)
+			color[size_t(i)] =
+				which == PartColors::OfFaces
+					? f.cC()[i]
+					: static_cast<unsigned char>((f.cV(0)->cC()[i] + f.cV(1)->cC()[i] + f.cV(2)->cC()[i]) / 3);
+		colors.push_back(color);
+	}
+	return colors;
+}
+
+/// @param[in] colors  that the part had before the label
+void DrawPicture(const CMeshO& m, PartColors colors, const LabelJob<CMeshO>& job, const LabelReport& report)
+{
 	PictureOptions options;
 	if (report.request.style == LabelStyle::Flat || report.request.tint) options.label = report.request.color;
+	const PartGeometry part = GeometryOf(m, job.frame().toWorld);
+	const auto isLabel = MarkTriangles(m, {&job.result().topFaces, &job.result().wallFaces});
+	const PictureMesh mesh{part.positions, part.triangles, PictureColors(m, colors, isLabel, options.label), isLabel};
 	const vcg::Point3d direction = report.request.pictureBack ? -job.frame().w : job.frame().w;
 	if (!WritePicture(RenderLabelPicture(mesh, direction, job.frame().v, options), report.request.picture))
 		throw RequestError(RequestProblem::FileNotWritten, "picture", report.request.picture);
@@ -92,12 +119,13 @@ void Label(MeshDocument& document, const LabelRequest& request, vcg::CallBackPos
 	ServiceHost host;
 	host.currentView = CurrentView;
 	if (progress) host.progress = [progress](int percent) { return progress(percent, "Text Label\n"); };
+	const PartColors colors = ColorsOf(model);
 	const LayerData data(model, request.style == LabelStyle::Flat || request.tint, context);
 	LabelJob<CMeshO> job(model.cm, MatrixOf(model.cm), host, context);
 	report = job.run(request);
 	if (!request.report.empty()) WriteText("report", request.report, ReportJson(report) + "\n");
 	if (!request.outline.empty()) WriteText("outline", request.outline, OutlineToSvg(job.outline()));
-	if (!request.picture.empty()) DrawPicture(model.cm, job, report);
+	if (!request.picture.empty()) DrawPicture(model.cm, colors, job, report);
 }
 
 std::string Spoilt(const std::string& what)

@@ -254,6 +254,12 @@ done
 sed -e 's/^OFF/# a comment\n\nCOFF/' -e '3,10s/$/ 10 20 30 255/' -e 's/$/\r/' box.off >colored.off
 works colored.ply --size 5 colored.off colored.ply 'A' && head -c 400 colored.ply | grep -qa 'property uchar red' ||
 	fail "vertex colours behind a comment are lost"
+sed '11,$s/$/ 10 20 30 255/' box.off >faces.off
+works colored.ply --size 5 --picture vertices.png colored.off colored.ply 'A'
+works colored.ply --size 5 --picture faces.png faces.off colored.ply 'A'
+works plain.ply --size 5 --picture plain.png box.off plain.ply 'A'
+cmp -s vertices.png faces.png || fail "the picture shows vertex colours and face colours differently"
+! cmp -s vertices.png plain.png || fail "the picture does not show the part's colours"
 works plain.ply --size 5 box.off plain.ply 'A' && ! grep -qa 'property uchar red' plain.ply || fail "colours came from nowhere"
 {
 	printf 'ply\nformat ascii 1.0\nelement vertex 8\nproperty float x\nproperty float y\nproperty float z\n'
