@@ -381,7 +381,7 @@ refused 1 "letter 'M' .*(horizon|beside the surface|border) .*\((60|6[0-9.]+|5[0
 refused 1 "border or a hole.*near \(.*, 10\)" --at 30,10,10 --size 12 hole.off out.stl A43
 refused 1 'not manifold.*near \(.*, 10\)' "${at[@]}" fin.off out.stl A43
 refused 1 'direction is zero' --at 30,20,10 --direction 0,0,0 box.off out.stl A
-refused 1 'up is parallel' --at 30,20,10 --direction 0,0,2 --up 0,0,-1 box.off out.stl A
+refused 1 'up points along the line of sight' --at 30,20,10 --direction 0,0,2 --up 0,0,-1 box.off out.stl A
 refused 1 'no (faces|mesh)|cannot read' empty.off out.stl A
 refused 1 'no faces' cloud.ply out.stl A
 refused 1 'more than three corners' "${at[@]}" quads.off out.stl A
