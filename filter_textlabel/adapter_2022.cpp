@@ -18,6 +18,7 @@ std::map<std::string, QVariant> Outputs(const textlabel::LabelReport& r)
 		{"size", r.size},
 		{"depth", r.depth},
 		{"stretch", r.stretch},
+		{"survives_float32", r.survivesFloat32},
 		{"milliseconds", r.milliseconds.back().second},
 	};
 	if (r.after.hasTopology) {

@@ -230,6 +230,11 @@ FilterOutcome ApplyFilter(MeshDocument& document, const RichParameterList& list,
 #else
 		host.log(Shown(PythonCall(outcome.report.request)));
 #endif
+		if (!outcome.report.survivesFloat32)
+			Say("the letters are finer than single precision carries so far from the origin. Save the part as PLY, OBJ "
+			    "or OFF with "
+			    "double precision; an STL file would spoil them.",
+			    host.log);
 		const LabelRequest& used = outcome.report.request;
 		if (HasWindow() && (used.style == LabelStyle::Flat || used.tint))
 			Say("the letters have their colour. To see it here, choose Color: Face in the pane beside this window.",

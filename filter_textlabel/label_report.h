@@ -36,6 +36,7 @@ struct LabelReport {
 	double labelArea = 0, surfaceArea = 0;  ///< in the label plane; on the surface, world units squared
 	double stretch = 1;                     ///< largest surface length over label length
 	double resolution = 0;                  ///< no contour point was moved by more, world units
+	bool survivesFloat32 = true;  ///< false: in a file of single precision, as STL, the letters would be spoilt
 	double thinnestStroke = 0, narrowestGap = 0;
 	UsedView view;
 	std::vector<std::pair<const char*, double>> milliseconds;  ///< stages in order, and "total"

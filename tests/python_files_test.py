@@ -7,6 +7,7 @@ from python_support import (
     BOX_TRIANGLES,
     MESHES,
     InFolder,
+    Mesh,
     box_points,
     np,
     pymeshlab,
@@ -114,6 +115,40 @@ class Saves(InFolder):
         textlabel.label(MESHES / "bracket.stl", "A4", self.folder / "old.stl")
         self.assertEqual(surface_faults(read_stl(self.folder / "old.stl")), [])
         self.assertEqual([path for path in self.folder.iterdir() if path.is_dir()], [])
+
+    def test_a_file_beside_the_part(self):
+        for ending in ("stl", "ply", "obj"):
+            with self.subTest(ending):
+                own = self.folder / f"own.{ending}"
+                meshes = pymeshlab.MeshSet()
+                meshes.load_new_mesh(str(MESHES / "bracket.stl"))
+                meshes.save_current_mesh(str(own))
+                part = textlabel.Part(own)
+                for number in (1, 2):  # the part is still there for the next one
+                    beside = self.folder / f"beside-{number}.{ending}"
+                    report = part.label(f"A{number}", beside)
+                    self.assertGreater(report["triangles_added"], 0)
+                    labelled = pymeshlab.MeshSet()
+                    labelled.load_new_mesh(str(beside))
+                    before = meshes.current_mesh().face_number()
+                    self.assertEqual(labelled.current_mesh().face_number(), before + report["triangles_added"])
+
+    def test_letters_that_only_double_precision_carries(self):
+        meshes = pymeshlab.MeshSet()
+        meshes.add_mesh(pymeshlab.Mesh(np.array(box_points(60, 40, 20), float) + 5e6, BOX_TRIANGLES))
+        far = self.folder / "far.ply"
+        meshes.save_current_mesh(str(far))
+        for ending in ("stl", "3mf"):
+            self.refused(far, f"new.{ending}", "single precision", ".ply")
+        for ending in ("ply", "obj", "off"):
+            report = textlabel.label(far, "A4", self.folder / f"new.{ending}", depth=1)
+            self.assertFalse(report["survives_float32"])
+            back = pymeshlab.MeshSet()
+            back.load_new_mesh(str(self.folder / f"new.{ending}"))
+            mesh = back.current_mesh()
+            inside = volume(Mesh(mesh.vertex_matrix() - 5e6, mesh.face_matrix()))
+            self.assertAlmostEqual(inside, 48000 + report["label_area"], delta=0.01)
+        self.assertTrue(textlabel.label(MESHES / "bracket.stl", "A4", self.folder / "near.stl")["survives_float32"])
 
     def test_textures_come_along(self):
         part = write_textured_box(self.folder / "part", "pictures/skin.png")

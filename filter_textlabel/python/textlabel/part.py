@@ -13,6 +13,7 @@ from . import files
 from .plugin import FILTER, LabelError, check_values, load_plugin
 
 NO_TEXTURE = "dummy.png"  # what MeshLab calls the picture in place of a texture that it cannot load
+WITH_DOUBLES = (".ply", ".obj", ".off")  # endings of files that keep double precision
 WITH_TEXTURES_INSIDE = (".glb", ".gltf", ".3mf")  # endings: a file of a texture's name need not be that texture
 
 
@@ -31,6 +32,7 @@ def label(mesh, text, output=None, **parameters):
             _refuse_far_textures(mesh, "the mesh")
         report = _apply(mesh, text, parameters)
         if output is not None:
+            _refuse_lost_precision(report, output)
             _save(mesh, output)
         return report
     if output is None:
@@ -59,8 +61,7 @@ class Part:
 
     def textures(self):
         """Names of the part's textures, as its file has them."""
-        self._set.set_current_mesh(self._original)
-        return list(self._set.current_mesh().textures())
+        return list(self._set.mesh(self._original).textures())
 
     def label(self, text, output, **parameters):
         """Write the part with the text cut into it to the file output; see label()."""
@@ -68,10 +69,12 @@ class Part:
         if _takes_textures(output):
             self._refuse_lost_textures()
             _refuse_far_textures(self._set, f"the mesh '{self.path}'")
+        untouched = self._textures_beside(output)
         self._set.apply_filter("generate_copy_of_current_mesh")
         try:
             report = _apply(self._set, text, parameters)
-            _save(self._set, output, self._textures_beside(output))
+            _refuse_lost_precision(report, output)
+            _save(self._set, output, untouched)
         finally:
             self._set.delete_current_mesh()
             self._set.clear_filter_script()  # it would grow with each label
@@ -156,6 +159,15 @@ def _working_folder_kept():
 
 def _takes_textures(output):
     return not os.fspath(output).lower().endswith((".stl", ".off"))
+
+
+def _refuse_lost_precision(report, output):
+    """Far from the origin letters can be finer than what single precision keeps apart."""
+    if not report["survives_float32"] and not os.fspath(output).lower().endswith(WITH_DOUBLES):
+        raise LabelError(
+            f"'{output}' cannot be written: its format has single precision, which would spoil the letters so far from the origin. "
+            "Write a .ply, .obj or .off file, make the text larger and deeper, or move the part nearer to the origin."
+        )
 
 
 def _refuse_far_textures(mesh_set, name):
