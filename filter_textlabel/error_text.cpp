@@ -219,8 +219,7 @@ std::string ErrorText(const RequestError& error)
 			   "read from above.";
 	case RequestProblem::UpAlongDirection:
 		return "The parameter up points along the line of sight. Give an up that points across it, or 0 0 0 to have "
-			   "one "
-			   "chosen.";
+			   "one chosen.";
 	case RequestProblem::PointMissesPart:
 		return "No face looks to the viewer on the line through the position along the direction. Move the position "
 			   "over the part, or "

@@ -44,6 +44,7 @@ private:
 	Camera viewFor(LabelRequest& request) const;
 	void label(LabelRequest& request, StageClock& clock);
 	void labelOnce(const LabelRequest& request, const Camera& view, StageClock& clock);
+	bool labelBolder(const LabelRequest& request, const Camera& view, StageClock& clock);
 	void tryAttempt(const LabelRequest& request, const Attempt& attempt, const TextOutline& outline);
 	void labelAtDepth(const LabelRequest& request, const TextOutline& outline, double depth);
 	void finish(const LabelRequest& request, bool anySelected);
@@ -61,6 +62,8 @@ private:
 	vcg::textlabel::LabelResult result_;
 	TextOutline outline_;
 	double size_ = 0, height_ = 0;
+	double boldSize_ =
+		std::numeric_limits<double>::infinity();  ///< at which letters that were too thin would be bold enough
 };
 
 // ---------------------------------------------------------------------------------------------------------------------------
@@ -131,31 +134,40 @@ void LabelJob<MeshType>::countAgain(MeshNumbers& before, MeshNumbers& after) con
 	}
 }
 
-/// Where both place and size are left to us and the largest region holds only letters that are too thin, one that holds the size at
-/// which they are not.
 template <class MeshType>
 void LabelJob<MeshType>::label(LabelRequest& request, StageClock& clock)
 {
 	const Camera view = viewFor(request);
-	LabelRequest sized = request;
 	try {
-		return labelOnce(request, view, clock);
+		labelOnce(request, view, clock);
+	} catch (const vcg::textlabel::Error& error) {
+		if (!DependsOnPlace(error.code) || !labelBolder(request, view, clock)) throw;
 	} catch (const TextError& error) {
-		constexpr double more = 1 + 1e-6;  // than just enough
-		const bool isChosen = request.placement == PlacementKind::Automatic && request.size == ChosenToFit;
-		if (!isChosen || error.code != TextErrorCode::TooThin || !std::isfinite(error.size)) throw;
-		sized.size = error.size * more;
-		if (error.fitWidth > 0 || sized.size > boxes_.world.Diag()) throw;
-		const ErrorContext context = context_;
-		try {
-			return labelOnce(sized, view, clock);
-		} catch (const vcg::textlabel::Error& second) {
-			if (!DependsOnPlace(second.code)) throw;
-		} catch (const TextError&) {  // the first one says it
-		} catch (const RequestError&) {}
-		context_ = context;
-		throw;
+		if (error.code != TextErrorCode::TooThin || !labelBolder(request, view, clock)) throw;
 	}
+}
+
+/// Where both place and size are left to us, and the best places held only letters that are too thin: one that holds the size at which
+/// they are not.
+/// @return false, and all as it was, when there is none
+template <class MeshType>
+bool LabelJob<MeshType>::labelBolder(const LabelRequest& request, const Camera& view, StageClock& clock)
+{
+	constexpr double more = 1 + 1e-6;  // than just enough
+	const bool isChosen = request.placement == PlacementKind::Automatic && request.size == ChosenToFit;
+	if (!isChosen || !(boldSize_ * more <= boxes_.world.Diag())) return false;
+	LabelRequest sized = request;
+	sized.size = boldSize_ * more;
+	const ErrorContext context = context_;
+	try {
+		labelOnce(sized, view, clock);
+		return true;
+	} catch (const vcg::textlabel::Error& second) {
+		if (!DependsOnPlace(second.code)) throw;
+	} catch (const TextError&) {  // the first search's error says more
+	} catch (const RequestError&) {}
+	context_ = context;
+	return false;
 }
 
 /// The first attempt that the library takes; when it takes none, the error of the first one.
@@ -186,6 +198,7 @@ void LabelJob<MeshType>::labelOnce(const LabelRequest& request, const Camera& vi
 			keepFirst();
 		} catch (const TextError& error) {
 			const bool isTooLarge = error.code == TextErrorCode::BadArc;
+			if (error.code == TextErrorCode::TooThin && error.fitWidth == 0) boldSize_ = error.size;
 			if (!isTooLarge && first) refuse();  // too small for the text, which was not what was wrong
 			if (!isTooLarge) throw;
 			keepFirst();

@@ -32,7 +32,7 @@ constexpr double kFinest = 1.0 / 8;
 struct United {
 	vcg::textlabel::Outline outline;  ///< as TextOutline::outline promises
 	std::vector<int> vanished;        ///< letters that had an area, of which nothing is left
-	std::vector<int> broken;          ///< letters that thinning took apart, or that lost a piece
+	std::vector<int> broken;          ///< letters that thinning took apart, each by itself, or that lost a piece
 };
 
 /// Unite letters into one outline.

@@ -102,7 +102,7 @@ const std::vector<Parameter>& ParameterTable()
 		{"align", "Align", "Which end of the lines of text comes to the place.", &R::align},
 		{"anchor", "Anchor", "Which height of the text comes to the place.", &R::anchor, Use::Value, advanced},
 		{"fit_width", "Width to fit (mesh units)",
-	     "Width of the whole text; the size follows from it and is ignored. 0: the size counts.", &R::fitWidth,
+	     "Width of the whole text; the size is ignored, it follows from this. 0: the size counts.", &R::fitWidth,
 	     Use::Value, advanced},
 		{"line_spacing", "Line spacing", "Distance between lines, times the font's own.", &R::lineSpacing, Use::Value,
 	     advanced},

@@ -59,19 +59,36 @@ vcg::Point3d OffsetOf(const LabelRequest& request, const LabelFrame& frame)
 	return frame.u * request.offsetU + frame.v * request.offsetV;
 }
 
-/// The first face that a camera meets along its axis, or along a line beside it: a shift is as long on the part as it was asked for,
-/// however far away that is.
+/// Whether nothing lies between a viewpoint and a place on the part.
+bool IsInSight(const vcg::Point3d& viewpoint, const vcg::Point3d& place, const PartProbe& part)
+{
+	const vcg::Point3d away = place - viewpoint;
+	const double distance = away.Norm();
+	for (const SurfaceHit& hit : part.hitsOnLine({viewpoint, away / distance}))
+		if (hit.distance > 0) return hit.distance >= distance - sameSurface * part.box.Diag();
+	return true;
+}
+
+/// The first face that a camera meets along its axis. With a shift, along a line beside it, so that it is as long on the part as it was
+/// asked for, however far away that is; in perspective what that line meets first may be out of sight, or show its back.
 LabelFrame PlaceInView(const LabelRequest& request, const Camera& camera, const PartProbe& part)
 {
 	LabelFrame frame = FrameOf(request, camera);
-	const SightLine line{camera.viewpoint + OffsetOf(request, frame), origin - frame.w};
+	const vcg::Point3d offset = OffsetOf(request, frame);
+	const SightLine line{camera.viewpoint + offset, origin - frame.w};
+	const bool isBeside = frame.perspective && offset != origin;
+	std::optional<vcg::Point3d> hidden;
 	for (const SurfaceHit& hit : part.hitsOnLine(line)) {
 		if (frame.perspective && !(hit.distance > 0)) continue;
+		if (!hit.facing && isBeside) continue;
 		if (!hit.facing) throw RequestError(RequestProblem::ViewFromInside);
 		frame.origin = line.origin + line.direction * hit.distance;
-		return frame;
+		if (!isBeside || IsInSight(frame.center, frame.origin, part)) return frame;
+		if (!hidden) hidden = frame.origin;
 	}
-	throw RequestError(RequestProblem::ViewMissesPart);
+	if (!hidden) throw RequestError(RequestProblem::ViewMissesPart);
+	frame.origin = *hidden;  // the library will say what hides it
+	return frame;
 }
 
 /// The hit nearest to the line's origin on a face that looks to the viewer, or null.

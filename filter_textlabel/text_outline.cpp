@@ -321,16 +321,19 @@ void MoveToAnchor(vcg::textlabel::Outline& outline, const TextOptions& options)
 	}
 }
 
+/// Letters that have nothing left, and those that have come apart.
+struct SpoiltLetters {
+	std::vector<int> vanished, broken;
+};
+
 /// Lay out, unite and anchor a shaped text at a capital height.
 /// @param[in,out] text  letters are there
-void SetAt(double size, const std::vector<ShapedLine>& lines, const FontStack& fonts, Glyphs& glyphs,
-           const TextOptions& options, TextOutline& text)
+/// @return letters that emboldening has spoilt
+SpoiltLetters SetAt(double size, const std::vector<ShapedLine>& lines, const FontStack& fonts, Glyphs& glyphs,
+                    const TextOptions& options, TextOutline& text)
 {
 	text.capitalHeight = size;
 	text.tolerance = ToleranceFor(options, size);
-	if (std::abs(options.embolden) > kMostEmbolden * size)
-		throw TextError(TextErrorCode::BadEmbolden).measured(options.embolden, kMostEmbolden * size);
-
 	const LayoutOptions layout = LayoutOptionsFor(options, size, size / fonts.main().capitalHeight());
 	const Affine form = FormOf(layout);
 	const std::vector<PlacedGlyph> placed = Layout(lines, fonts, layout);
@@ -341,11 +344,9 @@ void SetAt(double size, const std::vector<ShapedLine>& lines, const FontStack& f
 	const Affine toAnchor{side, 0, 0, 1, -side * anchor[0], -anchor[1]};
 	United united =
 		UniteLetters(RingsOf(placed, form, toAnchor, glyphs, text.tolerance), {text.tolerance, options.embolden});
-	RequireNone(united.vanished, TextErrorCode::LetterVanished, text);
-	RequireNone(united.broken, TextErrorCode::LetterBroken, text);
 	text.outline = std::move(united.outline);
-	if (text.outline.contours.empty()) throw TextError(TextErrorCode::EmptyText);
-	if (options.embolden != 0) MoveToAnchor(text.outline, options);
+	if (options.embolden != 0 && !text.outline.contours.empty()) MoveToAnchor(text.outline, options);
+	return {std::move(united.vanished), std::move(united.broken)};
 }
 
 /// The fonts that have a glyph in a text, by their descriptions.
@@ -379,18 +380,29 @@ TextOutline MakeTextOutline(const std::string& utf8, const TextOptions& options)
 	text.letters = LettersOf(lines);
 	text.fonts = FontsOf(lines, fonts);
 	const auto sizeWith = [&](double overhang) { return SizeToFit(lines, fonts, glyphs, options, overhang); };
-	SetAt(options.fitWidth > 0 ? sizeWith(2 * options.embolden) : options.size, lines, fonts, glyphs, options, text);
+	const auto checkEmbolden = [&] {
+		const double most = kMostEmbolden * text.capitalHeight;
+		if (std::abs(options.embolden) > most)
+			throw TextError(TextErrorCode::BadEmbolden).measured(options.embolden, most);
+	};
+	text.capitalHeight = options.fitWidth > 0 ? sizeWith(2 * options.embolden) : options.size;
+	checkEmbolden();  // first: what is far out of range takes long
+	SpoiltLetters spoilt = SetAt(text.capitalHeight, lines, fonts, glyphs, options, text);
 	if (options.fitWidth > 0 && options.embolden != 0 && options.arcRadius == 0) {
 		// how far the corners at the ends stand out depends on the font; not on the size, but for which of them are the ends
 		constexpr int rounds = 3;
 		const double inkWidth = (options.fitWidth - 2 * options.embolden) / text.capitalHeight;  // at size 1
-		for (int round = 0; round < rounds; ++round) {
+		for (int round = 0; round < rounds && !text.outline.contours.empty(); ++round) {
 			const double overhang = BoxOf(text.outline).DimX() - inkWidth * text.capitalHeight;
 			const double size = sizeWith(overhang);
 			if (std::abs(size - text.capitalHeight) <= kFinestTolerance * size) break;
-			SetAt(size, lines, fonts, glyphs, options, text);
+			spoilt = SetAt(size, lines, fonts, glyphs, options, text);
 		}
+		checkEmbolden();
 	}
+	RequireNone(spoilt.vanished, TextErrorCode::LetterVanished, text);
+	RequireNone(spoilt.broken, TextErrorCode::LetterBroken, text);
+	if (text.outline.contours.empty()) throw TextError(TextErrorCode::EmptyText);
 	Measure(text, options);
 	return text;
 }

@@ -315,30 +315,36 @@ TEST(DirtyInput, DeletedFaces)
 	}
 }
 
+/// A square sheet of side 36 with a row of triangles without area across its middle.
+Shape RowOfCaps(int cells)
+{
+	const double width = 36.0 / cells;
+	Shape s;
+	std::vector<int> below, row, above, middle;
+	for (int i = 0; i <= cells; ++i) {
+		below.push_back(s.add({i * width - 18, -18, 0}));
+		row.push_back(s.add({i * width - 18, 0, 0}));
+		above.push_back(s.add({i * width - 18, 18, 0}));
+		if (i < cells) middle.push_back(s.add({(i + 0.5) * width - 18, 0, 0}));
+	}
+	for (int c = 0; c < cells; ++c) {
+		const size_t i = size_t(c), j = i + 1;
+		s.quad(below[i], below[j], row[j], row[i]);
+		s.faces.push_back({row[i], row[j], middle[i]});
+		s.faces.push_back({row[i], middle[i], above[i]});
+		s.faces.push_back({middle[i], row[j], above[j]});
+		s.faces.push_back({middle[i], above[j], above[i]});
+	}
+	return s;
+}
+
 // An edge with many vertices on one side, closed by triangles without area: each looks like a horizon within the letter, and those at
 // its end have neighbours beyond the label's box.
 TEST(DirtyInput, ARowOfCapsUnderOneLetter)
 {
 	for (const int cells : {8, 16, 28, 36, 48, 64}) {
-		const double width = 36.0 / cells;
-		Shape s;
-		std::vector<int> below, row, above, middle;
-		for (int i = 0; i <= cells; ++i) {
-			below.push_back(s.add({i * width - 18, -18, 0}));
-			row.push_back(s.add({i * width - 18, 0, 0}));
-			above.push_back(s.add({i * width - 18, 18, 0}));
-			middle.push_back(s.add({(i + 0.5) * width - 18, 0, 0}));
-		}
-		for (int c = 0; c < cells; ++c) {
-			const size_t i = size_t(c), j = i + 1;
-			s.quad(below[i], below[j], row[j], row[i]);
-			s.faces.push_back({row[i], row[j], middle[i]});
-			s.faces.push_back({row[i], middle[i], above[i]});
-			s.faces.push_back({middle[i], row[j], above[j]});
-			s.faces.push_back({middle[i], above[j], above[i]});
-		}
 		FloatMesh m;
-		test_mesh::Fill(m, s);
+		test_mesh::Fill(m, RowOfCaps(cells));
 		LabelOptions options;
 		options.height = 0.3;
 		const Outline bar = label_check::Letters({Rectangle(-16.03, -5.02, 16.01, 6.03)});
@@ -348,6 +354,22 @@ TEST(DirtyInput, ARowOfCapsUnderOneLetter)
 		const MeshReport report = MakeReport(m, {true, true});
 		EXPECT_EQ(report.nonManifoldEdges + report.flippedEdges + report.duplicateFaces, 0) << cells;
 		EXPECT_EQ(report.genus, 0) << cells;
+	}
+}
+
+// The same row on a second surface below, which no letter touches: it stays as it is.
+TEST(DirtyInput, ARowOfCapsOnAnotherSurfaceIsLeftAlone)
+{
+	const Shape upper = RowOfCaps(16);
+	const Shape both = upper.joined(upper.moved([](const Point3d& p) { return p - Point3d(0, 0, 5); }));
+	for (const double height : {0.3, 0.0, -0.3}) {
+		FloatMesh m;
+		test_mesh::Fill(m, both);
+		LabelOptions options;
+		options.height = height;
+		LabelMesh(m, label_check::Letters({Rectangle(-16.03, -5.02, 16.01, 6.03)}), FromAbove(), options);
+		for (size_t f = upper.faces.size(); f < both.faces.size(); ++f)
+			for (int k = 0; k < 3; ++k) EXPECT_EQ(m.face[f].cV(k) - m.vert.data(), both.faces[f][size_t(k)]) << f;
 	}
 }
 

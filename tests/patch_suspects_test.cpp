@@ -127,4 +127,40 @@ TEST(Suspects, NearlyBesideIsNotPlainlyApart)
 	EXPECT_TRUE(vcg::textlabel::detail::ArePlainlyApart(sheet, 0, 1, slack)) << "the two halves of a square";
 }
 
+// Two members of a layer keep apart within its box and nowhere else.
+TEST(Suspects, MembersThatOverlapBesideTheLayersBox)
+{
+	Sheet sheet;
+	const auto add = [&](double x, double y) {
+		SheetVertex v;
+		v.mesh = v.label = Point3d(x, y, 0);
+		v.plane = Point2d(x, y);
+		sheet.vertices.push_back(v);
+		return int(sheet.vertices.size()) - 1;
+	};
+	const auto face = [&](int a, int b, int c) {
+		SheetTriangle t;
+		t.vertex = {a, b, c};
+		t.facing = true;
+		sheet.triangles.push_back(t);
+	};
+	face(add(0, 0), add(8, 0), add(0, 2));  // both reach out of the box, and meet at (6, 0.3)
+	face(add(0, 4), add(6, 0.3), add(0, 4.1));
+	face(add(0, 6), add(8, 6), add(0, 8));     // reaches out, and meets none
+	face(add(1, -3), add(4, -3), add(1, -1));  // within
+	for (int i = 0; i < 200; ++i) face(add(-9, 9 - 0.05 * i), add(-8, 9 - 0.05 * i), add(-9, 9.04 - 0.05 * i));
+	SheetLayer layer;
+	layer.isSingle = true;
+	layer.member.assign(sheet.triangles.size(), 1);
+	layer.box.add({-10, -10});
+	layer.box.add({5, 10});
+	std::vector<int> changed(sheet.triangles.size());
+	for (size_t i = 0; i < changed.size(); ++i) changed[i] = int(i);
+	std::vector<std::array<int, 2>> pairs = detail::FindNearPairs(sheet, layer, changed, 0, 1e-6);
+	std::sort(pairs.begin(), pairs.end());
+	EXPECT_EQ(pairs, (std::vector<std::array<int, 2>>{{0, 1}, {1, 0}}));
+	layer.box.add({9, 10});  // said to be single where they meet
+	EXPECT_TRUE(detail::FindNearPairs(sheet, layer, changed, 0, 1e-6).empty());
+}
+
 }  // namespace

@@ -114,6 +114,25 @@ TEST(PlaneGrid, LeavesOutWhatMeetsWithinABox)
 	EXPECT_LT(found, size_t(count) * count / 10);
 }
 
+// Two triangles that meet in the box and just beyond it, in a cell that the box's border crosses.
+TEST(PlaneGrid, FindsWhatMeetsInAStripBesideTheBox)
+{
+	for (const double border : {1.0, 3.7, 5.0, 6.2, 8.99}) {
+		std::vector<PlaneTriangle> triangles = MixedTriangles(400, 5);  // so that there are many cells
+		const vcg::Point2d corner(border + 1e-3, 0.3);
+		triangles.push_back({vcg::Point2d(0, 0), corner, vcg::Point2d(0, 0.6)});
+		const PlaneTriangle around = {vcg::Point2d(0, 0.1), corner, vcg::Point2d(0, 0.5)};
+		PlaneBox box;
+		box.add({-20, -20});
+		box.add({border, 20});
+		PlaneGrid grid(triangles);
+		bool isFound = false;
+		grid.query(
+			around, 0, [&](int i) { isFound = isFound || i == int(triangles.size()) - 1; }, box);
+		EXPECT_TRUE(isFound) << border;
+	}
+}
+
 TEST(PlaneGrid, HoldsTrianglesThatAllMeet)
 {
 	constexpr size_t count = 60000;  // each in half of 244 x 244 cells: more than an int counts

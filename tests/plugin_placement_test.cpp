@@ -263,6 +263,20 @@ TEST(CameraPlacement, ShiftsByTheLengthThatWasAskedForOnWhatLiesDeeper)
 	}
 }
 
+// The line beside the axis starts within a block that stands beside the camera; the place is in plain sight.
+TEST(CameraPlacement, ShiftsPastWhatStandsBesideTheCamera)
+{
+	Mesh both;
+	vcg::tri::Append<Mesh, Mesh>::MeshCopy(both, Box());
+	for (auto& v : both.vert) v.P() = Mesh::CoordType(38 + v.P()[0] * 22 / 60, v.P()[1], 30 + v.P()[2] * 5);
+	vcg::tri::Append<Mesh, Mesh>::Mesh(both, Box());
+	LabelRequest request = FromCamera({30, 20, 50}, {0, 0, 1});
+	request.offsetU = 10;
+	ExpectNear(Plan(request, ProbeOf(both))[0].frame.origin, {40, 20, 10});
+	request.offsetU = 25;  // hidden by the block: its underside shows its back, and the floor can't be seen
+	ExpectNear(Plan(request, ProbeOf(both))[0].frame.origin, {55, 20, 10});
+}
+
 TEST(CameraPlacement, TurnsTheTextWhereUpIsTold)
 {
 	LabelRequest request = FromCamera({30, 20, 110}, {0, 0, 1});

@@ -172,7 +172,28 @@ private:
 	std::vector<int> pieceFrom_, pieceTo_;  ///< #points: the contour piece that starts or ends there, or -1
 };
 
-/// A sheet, while caps are flipped away. Its half-edges are kept as they should be; its fans are not.
+/// The longest side of a triangle of a sheet, a half-edge.
+inline int LongestSide(const Sheet& sheet, int t)
+{
+	const auto length = [&](int h) {
+		return (sheet.vertices[size_t(sheet.to(h))].mesh - sheet.vertices[size_t(sheet.from(h))].mesh).SquaredNorm();
+	};
+	int longest = 3 * t;
+	for (int h = 3 * t + 1; h < 3 * t + 3; ++h)
+		if (length(h) > length(longest)) longest = h;
+	return longest;
+}
+
+/// Mesh units: of a triangle over its longest side.
+inline double HeightOver(const Sheet& sheet, int longest)
+{
+	const auto at = [&](int v) -> const vcg::Point3d& { return sheet.vertices[size_t(v)].mesh; };
+	const vcg::Point3d &a = at(sheet.from(longest)), along = at(sheet.to(longest)) - a;
+	return (along ^ (at(sheet.from(Sheet::Previous(longest))) - a)).Norm() / along.Norm();
+}
+
+/// A sheet, while caps are flipped away. Its half-edges are kept up to date; its fans are so in `fans_` alone, and whoever has flipped
+/// links it anew at the end.
 class CapFlipper {
 public:
 	CapFlipper(Sheet& sheet, double thinnest) : sheet_(sheet), thinnest_(thinnest) {}
@@ -181,11 +202,7 @@ public:
 	bool flip(int t)
 	{
 		if (isFlipped(t)) return false;
-		int longest = 3 * t;
-		for (int h = 3 * t; h < 3 * t + 3; ++h)
-			if ((at(sheet_.to(h)) - at(sheet_.from(h))).SquaredNorm() >
-			    (at(sheet_.to(longest)) - at(sheet_.from(longest))).SquaredNorm())
-				longest = h;
+		const int longest = LongestSide(sheet_, t);
 		const int other = sheet_.twin[size_t(longest)], g = other / 3;
 		if (other < 0 || isFlipped(g) || !sheet_.triangles[size_t(g)].facing) return false;
 		//      c            the cap: a b c, beside it: b a d;  after the flip: a d c and d b c
@@ -194,17 +211,18 @@ public:
 		const int a = sheet_.from(longest), b = sheet_.to(longest), c = sheet_.from(Sheet::Previous(longest)),
 				  d = sheet_.from(Sheet::Previous(other));
 		const vcg::Point3d along = at(b) - at(a);
-		const double length = along.Norm(), height = (along ^ (at(c) - at(a))).Norm() / length,
-					 foot = along * (at(c) - at(a)) / length;
-		if (!(height < thinnest_ && foot > thinnest_ && foot < length - thinnest_) || c == d) return false;
-		if (!isFanWhole(c) && !isFanWhole(d)) {
-			sheet_.capReach = std::max(sheet_.capReach, (sheet_.plane(b) - sheet_.plane(a)).Norm());
-			return false;
-		}
+		const double length = along.Norm(), foot = along * (at(c) - at(a)) / length;
+		const bool isCap =
+			HeightOver(sheet_, longest) < thinnest_ && foot > thinnest_ && foot < length - thinnest_ && c != d;
+		if (!isCap) return false;
 		const auto facing = [&](int p, int q, int r) {
 			return Orient2d(sheet_.plane(p), sheet_.plane(q), sheet_.plane(r)) > 0;
 		};
 		if (!facing(a, d, c) || !facing(d, b, c)) return false;
+		if (!isFanWhole(c) && !isFanWhole(d)) {
+			askForMore(c, d);
+			return false;
+		}
 		for (const int near : fan(c))
 			for (const int v : sheet_.triangles[size_t(near)].vertex)
 				if (v == d) return false;  // c and d are neighbours already, on the far side of the part
@@ -235,6 +253,18 @@ private:
 			found->second.assign(sheet_.vertexFan.begin() + sheet_.vertexStart[size_t(v)],
 			                     sheet_.vertexFan.begin() + sheet_.vertexStart[size_t(v) + 1]);
 		return found->second;
+	}
+	/// What lies around a vertex within the box is there; around one beyond it, a larger box would bring it.
+	void askForMore(int c, int d)
+	{
+		const PlaneBox& box = sheet_.box;
+		const auto beyond = [&](int v) {
+			const vcg::Point2d& p = sheet_.plane(v);
+			return std::max({box.low[0] - p[0], p[0] - box.high[0], box.low[1] - p[1], p[1] - box.high[1]});
+		};
+		const double near = std::min(beyond(c), beyond(d)), far = std::max(beyond(c), beyond(d));
+		const double reach = near > 0 ? near : far;
+		if (reach <= box.width() + box.height()) sheet_.capReach = std::max(sheet_.capReach, reach);
 	}
 	/// Whether every face of the mesh around a vertex is a candidate: then its neighbours are known.
 	bool isFanWhole(int v)

@@ -66,7 +66,8 @@ inline bool ReusePages(const void* old, size_t oldBytes, const void* fresh, size
 	if (isThere && isPrivate && !isMoved)  // no memory for the kernel's own tables: the target has to be there again
 		mmap(target, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_FIXED, -1, 0);
 	munmap(place, page);
-	munmap(place + page + bytes, page);
+	munmap(place + page + bytes,
+	       page);  // where the first move has failed, what is between is perhaps no longer ours: it stays
 	return isMoved;
 #else
 	return (void)old, (void)oldBytes, (void)fresh, (void)freshBytes, false;

@@ -97,7 +97,7 @@ inline bool AreApart(const PlaneTriangle& s, const PlaneTriangle& t, double sliv
 inline std::vector<PlaneTriangle> SeenOfStraddling(const LabelSpace& space, const StraddlingTriangle& t)
 {
 	constexpr double safely = 1e-3;  // of the distance from the centre to the plane behind which nothing is projected
-	const double limit = space.nearestZ() - safely * std::abs(space.nearestZ());
+	const double limit = space.nearestZ() - safely * (space.center()[2] - space.nearestZ());
 	std::vector<vcg::Point2d> corner;
 	for (size_t k = 0; k < 3; ++k) {
 		const vcg::Point3d &a = t.label[k], &b = t.label[(k + 1) % 3];
@@ -151,10 +151,6 @@ struct LetterSurface {
 		farthest.push_back(std::min({a.label[2], b.label[2], c.label[2]}));
 	}
 };
-
-}  // namespace detail
-
-namespace detail {
 
 /// Compares other surfaces with that of the letters, where they overlap in the label plane.
 class ClearanceSearch {

@@ -30,7 +30,7 @@ enum class ErrorCode {
 	BehindCamera,  ///< the surface under the label reaches behind the centre of projection
 	Grazing,       ///< too steep to the view: `value` is the stretch, infinite from behind; `limit` the largest allowed
 	// the result
-	TooFine,  ///< letters finer than the coordinates carry: `value` is the finest detail, 0 when it is one with the mesh's own; `limit` is needed
+	TooFine,  ///< finer than the coordinates carry: `value` the finest detail, 0: one with the mesh's own; `limit` needed
 	HitsSurface,  ///< the raised or sunk label meets another part of the surface: `limit` is the depth that fits
 	HitsItself,   ///< the extrusion folds or meets itself: `limit` is the depth that works
 	Cancelled,    ///< the caller's progress function said stop

@@ -271,25 +271,46 @@ inline bool LabelPlanner::attempt(const Outline& outline, bool last, LabelPlan& 
 	return false;
 }
 
-/// Where to look for caps when a letter seems to meet a horizon: at the face where it does, beside it, and all that do not face the
-/// viewer within the letters: an edge with many vertices on one side has as many caps in a row.
+/// Where to look for caps when a letter seems to meet a horizon at a face: beside it, and all within the letters that hang together
+/// with it over what faces the viewer and over other caps: an edge with many vertices on one side has as many caps in a row.
 inline std::vector<int> LabelPlanner::capsFor(const Outline& outline, int face) const
 {
-	std::vector<int> around;
 	const std::vector<PlaneBox> boxes = detail::BoxesOfContours(outline);
-	for (int t = 0; t < int(sheet_.triangles.size()); ++t) {
-		if (sheet_.triangles[size_t(t)].facing) continue;
+	const auto isInLetter = [&](int t) {
 		const auto& v = sheet_.triangles[size_t(t)].vertex;
 		const vcg::Point2d middle = (sheet_.plane(v[0]) + sheet_.plane(v[1]) + sheet_.plane(v[2])) / 3;
-		if (detail::WindingAround(outline, boxes, outline.contours.size(), middle) > 0) around.push_back(t);
-	}
+		return detail::WindingAround(outline, boxes, outline.contours.size(), middle) > 0;
+	};
+	const auto isThin = [&](int t) {
+		return detail::HeightOver(sheet_, detail::LongestSide(sheet_, t)) < capUlps * meshUlp_;
+	};
+	std::vector<int> caps, stack;
+	std::vector<char> seen(sheet_.triangles.size(), 0);
+	const auto visit = [&](int t) {
+		if (!std::exchange(seen[size_t(t)], 1)) stack.push_back(t);
+	};
 	for (int t = 0; t < int(sheet_.triangles.size()); ++t) {
 		if (sheet_.triangles[size_t(t)].face != face) continue;
-		around.push_back(t);
+		caps.push_back(t);
+		visit(t);
 		for (int h = 3 * t; h < 3 * t + 3; ++h)
-			if (sheet_.twin[size_t(h)] >= 0) around.push_back(sheet_.twin[size_t(h)] / 3);
+			if (sheet_.twin[size_t(h)] >= 0) caps.push_back(sheet_.twin[size_t(h)] / 3);
 	}
-	return around;
+	while (!stack.empty()) {
+		const int t = stack.back();
+		stack.pop_back();
+		for (int h = 3 * t; h < 3 * t + 3; ++h) {
+			const int across = sheet_.twin[size_t(h)] < 0 ? -1 : sheet_.twin[size_t(h)] / 3;
+			if (across < 0 || seen[size_t(across)]) continue;
+			if (sheet_.triangles[size_t(across)].facing) {
+				visit(across);
+			} else if (isThin(across)) {
+				visit(across);
+				if (isInLetter(across)) caps.push_back(across);
+			}
+		}
+	}
+	return caps;
 }
 
 /// From the cut to a patch that is sound on rounded coordinates.

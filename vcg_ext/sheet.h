@@ -78,8 +78,7 @@ struct Sheet {
 	PlaneBox box;              ///< what they were collected for: nothing else of the mesh meets it, but for isShallow
 	bool mayFlip = true;       ///< false when faces carry a texture, which a flipped edge would smear
 	std::vector<int> flipped;  ///< triangles changed by FlipCaps (cut_repair.h), ascending
-	double capReach =
-		0;  ///< label units: how much further to collect so that it knows the neighbours of all caps it was asked for
+	double capReach = 0;       ///< label units: how much further FlipCaps wants candidates, to know a cap's neighbours
 	double largestCoordinate = 0;  ///< of the candidates' mesh coordinates, in absolute value
 	bool isEmpty = true;           ///< no face of the mesh has three finite vertices
 	bool isShallow = false;        ///< some that show their backs were left out: the label can't reach so deep

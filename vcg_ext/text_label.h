@@ -52,9 +52,9 @@ inline void RequireCountable(size_t vertices, size_t faces)
 /// @param[in] frame  where the label plane lies and from where it is projected
 /// @post  same topology class; the surface outside the letters is the same set of points; faces that no letter touches are the same
 ///        bit for bit; valid also after rounding to float32 and merging equal points, unless survivesFloat32 says otherwise
-/// For the caller to bring up to date, as after any of VCGlib's algorithms that add faces: normals, the bounding box, FF and VF
-/// adjacency and border flags of what is new (LabelResult lists it). Flags, colours and the like of a new face are those of the one
-/// that it is a piece of, or stands on; custom attributes of what is appended have their default value.
+/// @note  for the caller to bring up to date, as after any of VCGlib's algorithms that add faces: normals, the bounding box, FF and VF
+///        adjacency and border flags of what is new (LabelResult lists it). Flags, colours and the like of a new face are those of
+///        the one that it is a piece of, or stands on; custom attributes of what is appended have their default value
 /// @throws Error
 template <class MeshType>
 LabelResult LabelMesh(MeshType& m, const Outline& outline, const LabelFrame& frame, const LabelOptions& options = {});
@@ -179,8 +179,10 @@ PlannedLabel PlanInBox(const MeshType& m, const LabelSpace& space, const Outline
 	} catch (const Error& e) {
 		if (e.code == ErrorCode::OffSurface && p.sheet.isShallow)  // or over a back
 			return PlanInBox(m, space, outline, box, options, true, precision);
-		if (e.code == ErrorCode::Cancelled || box.isForCaps || !(p.sheet.capReach > 0)) throw;
-		box.grow(2 * p.sheet.capReach);
+		const bool mayBeCap = e.code == ErrorCode::Silhouette || e.code == ErrorCode::TooFine;
+		if (!mayBeCap || box.isForCaps || !(p.sheet.capReach > 0)) throw;
+		constexpr double more = 1.001;  // so that what is asked for is not on the border
+		box.plane.grow(more * p.sheet.capReach);
 		box.isForCaps = true;
 		return PlanInBox(m, space, outline, box, options, seesAll, precision);
 	}
