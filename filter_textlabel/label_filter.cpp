@@ -193,10 +193,12 @@ QString FilterDescription()
 		   "Text Labeling on Triangulated Surfaces\"</b>, 3DIM 2005.";
 }
 
+/// Not face colours: MeshLab would give them to each part that is labelled, and so to its STL file; those that a label needs are added
+/// by LayerData.
 int FilterPostCondition()
 {
 	return MeshModel::MM_VERTCOORD | MeshModel::MM_VERTNUMBER | MeshModel::MM_FACENUMBER | MeshModel::MM_FACEVERT |
-	       MeshModel::MM_FACENORMAL | MeshModel::MM_VERTNORMAL | MeshModel::MM_FACEFLAGSELECT | MeshModel::MM_FACECOLOR;
+	       MeshModel::MM_FACENORMAL | MeshModel::MM_VERTNORMAL | MeshModel::MM_FACEFLAGSELECT;
 }
 
 void AddFilterParameters(const MeshModel& model, RichParameterList& list)
