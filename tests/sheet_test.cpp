@@ -171,30 +171,6 @@ TEST(Sheet, LeavesOutWhatHasNoPlace)
 	EXPECT_FALSE(behind.straddling.empty());
 }
 
-// The weights that mix the corners into a point must give back that point, from the definition.
-TEST(SpaceWeights, GiveThePointUnderTheProjection)
-{
-	std::mt19937 random(1);
-	std::uniform_real_distribution<double> unit(0, 1);
-	const Shape ball = test_mesh::Sphere(12, 20, 12);
-	for (const LabelFrame& frame : {FromAbove(), FromAbovePerspective(30)}) {
-		const LabelSpace space(frame);
-		const Sheet sheet = CandidatesOf(ball, space, 8, 8);
-		for (size_t t = 0; t < sheet.triangles.size(); ++t) {
-			if (!sheet.triangles[t].facing) continue;
-			double a = unit(random), b = unit(random);
-			if (a + b > 1) a = 1 - a, b = 1 - b;
-			const auto& v = sheet.triangles[t].vertex;
-			const auto at = [&](size_t k) { return sheet.vertices[size_t(v[k])].label; };
-			const Point3d q = at(0) * (1 - a - b) + at(1) * a + at(2) * b;
-			const Point3d w = SpaceWeights(space, sheet, int(t), space.project(q));
-			EXPECT_NEAR(w[0], 1 - a - b, 1e-9);
-			EXPECT_NEAR(w[1], a, 1e-9);
-			EXPECT_NEAR(w[2], b, 1e-9);
-		}
-	}
-}
-
 TEST(Sheet, KnowsEdgesThatGoOnBehindTheCamera)
 {
 	// strips that rise from z = -30 to 30; those from 18 on reach behind the camera at 20

@@ -8,6 +8,7 @@
 #include "label_cut.h"
 #include "plane_grid.h"
 #include "sheet_layer.h"
+#include "surface_point.h"
 
 #include <memory>
 
@@ -189,7 +190,7 @@ public:
 			vcg::Point3d place(0, 0, 0);
 			for (int i = 0; i < overlap.size; ++i) {
 				const vcg::Point2d& p = overlap.point[size_t(i)];
-				const vcg::Point3d q = pointOnSheet(letters_->parent[size_t(s)], p);
+				const vcg::Point3d q = PointOnTriangle(space_, sheet_, letters_->parent[size_t(s)], p);
 				const double depth = (q - pointOn(p)) * space_.towardsViewer(q);  // > 0 behind
 				most = std::max(most, depth);
 				if (depth >= least) continue;
@@ -204,14 +205,6 @@ public:
 					.atPlace(space_.toMesh(place));
 			if (least < found_.behind) found_ = {std::max(least, 0.0), space_.toMesh(place), face};
 		});
-	}
-	vcg::Point3d pointOnSheet(int triangle, const vcg::Point2d& p) const
-	{
-		const vcg::Point3d w = SpaceWeights(space_, sheet_, triangle, p);
-		vcg::Point3d q(0, 0, 0);
-		for (int k = 0; k < 3; ++k)
-			q += sheet_.vertices[size_t(sheet_.triangles[size_t(triangle)].vertex[size_t(k)])].label * w[k];
-		return q;
 	}
 	const Clearance& found() const { return found_; }
 
@@ -235,7 +228,7 @@ inline Clearance MeasureClearance(const LabelSpace& space, const Sheet& sheet, c
 		if (!layer.has(t))
 			search.compare(detail::CornersInPlane(sheet, t), t, sheet.triangles[size_t(t)].face,
 			               detail::NearestZ(sheet, t),
-			               [&](const vcg::Point2d& p) { return search.pointOnSheet(t, p); });
+			               [&](const vcg::Point2d& p) { return PointOnTriangle(space, sheet, t, p); });
 	for (const StraddlingTriangle& t : sheet.straddling) {
 		const vcg::Point3d &c = space.center(), normal = (t.label[1] - t.label[0]) ^ (t.label[2] - t.label[0]);
 		const auto pointOn = [&](const vcg::Point2d& p) {

@@ -6,6 +6,7 @@
 // by both triangles.
 
 #include "edge_march.h"
+#include "surface_point.h"
 
 #include <utility>
 

@@ -14,6 +14,7 @@
 #include "label_seed.h"
 #include "patch_check.h"
 #include "rounding.h"
+#include "surface_point.h"
 #include "swept_volume.h"
 
 #include <functional>
@@ -100,45 +101,6 @@ private:
 };
 
 // ---------------------------------------------------------------------------------------------------------------------------
-
-namespace detail {
-
-/// How many times as long as in the label plane a length can be on the surface: the largest singular value of the projection back.
-/// @param[in] at  label space
-/// @param[in] normal  of the surface there, any length
-inline double StretchOf(const LabelSpace& space, const vcg::Point3d& at, const vcg::Point3d& normal)
-{
-	const vcg::Point3d towards = space.towardsViewer(at);
-	const double cosine = normal * towards;
-	if (!(cosine > 0)) return std::numeric_limits<double>::infinity();
-	// a step along u or v in the label plane, scaled to this depth and carried along the ray to the surface
-	const vcg::Point3d u = vcg::Point3d(1, 0, 0) - towards * (normal[0] / cosine),
-					   v = vcg::Point3d(0, 1, 0) - towards * (normal[1] / cosine);
-	const double mean = (u * u + v * v) / 2, half = (u * u - v * v) / 2;
-	return std::sqrt(mean + std::hypot(half, u * v)) / space.magnification(at);
-}
-
-/// Where a point of the label plane is seen on the candidates; on the plane itself where none lies under it.
-/// @return mesh coordinates
-inline vcg::Point3d SeenAt(const LabelSpace& space, const Sheet& sheet, const vcg::Point2d& p)
-{
-	vcg::Point3d seen(p[0], p[1], 0);
-	double nearest = -std::numeric_limits<double>::infinity();
-	for (int t = 0; t < int(sheet.triangles.size()); ++t) {
-		if (!sheet.triangles[size_t(t)].facing) continue;
-		const vcg::Point3d w = SpaceWeights(space, sheet, t, p);
-		if (!(std::min({w[0], w[1], w[2]}) >= 0)) continue;
-		vcg::Point3d q(0, 0, 0);
-		for (int k = 0; k < 3; ++k)
-			q += sheet.vertices[size_t(sheet.triangles[size_t(t)].vertex[size_t(k)])].label * w[k];
-		if (!(q[2] > nearest)) continue;
-		nearest = q[2];
-		seen = q;
-	}
-	return space.toMesh(seen);
-}
-
-}  // namespace detail
 
 inline LabelPlanner::LabelPlanner(const LabelSpace& space, Sheet& sheet, Precision precision,
                                   const LabelOptions& options)
@@ -239,9 +201,7 @@ inline LabelPlan LabelPlanner::plan(const Outline& outline)
 	const double height = std::abs(options_.height);
 	if (conflict.code == ErrorCode::TooFine && height > 0 && height <= snap_)
 		throw Error(ErrorCode::BadHeight, "finer than the coordinates").measured(height, snap_);
-	throw Error(conflict.code, conflict.why)
-		.atPlace(detail::SeenAt(space_, sheet_, conflict.place))
-		.measured(0, leastStroke());
+	throw Error(conflict.code, conflict.why).atPlace(SeenAt(space_, sheet_, conflict.place)).measured(0, leastStroke());
 }
 
 /// Lay the label once, and once more without the caps that it met when they stand in its way.
@@ -357,7 +317,7 @@ inline void LabelPlanner::measureSurface(LabelPlan& plan) const
 		const double longest =
 			std::sqrt(std::max({(b - a).SquaredNorm(), (c - b).SquaredNorm(), (a - c).SquaredNorm()}));
 		if (normal.Norm() <= 2 * snap_ * longest) continue;  // thinner than the resolution: its normal says nothing
-		const double stretch = detail::StretchOf(space_, middle, normal);
+		const double stretch = StretchOf(space_, middle, normal);
 		plan.stretch = std::max(plan.stretch, stretch);
 		if (!(stretch <= options_.maxStretch))
 			throw Error(ErrorCode::Grazing, "the surface is steep to the view")

@@ -4,7 +4,7 @@
 // The surface that takes a letter is the first one that the viewer sees at the start of its contour. One pass over the candidates
 // finds it for all contours at once.
 
-#include "sheet.h"
+#include "surface_point.h"
 
 namespace vcg::textlabel {
 
@@ -41,10 +41,7 @@ inline double HeightUnder(const LabelSpace& space, const Sheet& sheet, int trian
 	vcg::Point3d w = SpaceWeights(space, sheet, triangle, p);
 	for (int k = 0; k < 3; ++k) w[k] = std::max(w[k], 0.0);
 	w /= w[0] + w[1] + w[2];
-	double z = 0;
-	for (int k = 0; k < 3; ++k)
-		z += w[k] * sheet.vertices[size_t(sheet.triangles[size_t(triangle)].vertex[size_t(k)])].label[2];
-	return z;
+	return MixCorners(sheet, triangle, w)[2];
 }
 
 inline void HitSeed(const LabelSpace& space, const Sheet& sheet, int triangle, const vcg::Point2d& p, double snap,

@@ -408,17 +408,4 @@ bool ExceedsPart(const MeshType& m, const LabelSpace& space, const Sheet& sheet,
 	return length > diagonal;
 }
 
-/// Perspective-correct weights of a triangle's corners for a point of the label plane.
-/// @return weights in space, summing to 1; negative outside the triangle
-inline vcg::Point3d SpaceWeights(const LabelSpace& space, const Sheet& sheet, int triangle, const vcg::Point2d& p)
-{
-	const auto& v = sheet.triangles[size_t(triangle)].vertex;
-	vcg::Point3d weight;
-	for (int k = 0; k < 3; ++k) {
-		const vcg::Point2d a = sheet.plane(v[size_t((k + 1) % 3)]) - p, b = sheet.plane(v[size_t((k + 2) % 3)]) - p;
-		weight[k] = (a ^ b) * space.magnification(sheet.vertices[size_t(v[size_t(k)])].label);
-	}
-	return weight / (weight[0] + weight[1] + weight[2]);
-}
-
 }  // namespace vcg::textlabel

@@ -1,0 +1,93 @@
+// Points of the label plane on the surface, against the definitions.
+
+#include "vcg_ext/surface_point.h"
+
+#include <gtest/gtest.h>
+#include <random>
+
+#include "label_check.h"
+
+namespace {
+
+using namespace label_check;
+using test_mesh::Shape;
+
+// The weights that mix the corners into a point must give back that point, from the definition.
+TEST(SpaceWeights, GiveThePointUnderTheProjection)
+{
+	std::mt19937 random(1);
+	std::uniform_real_distribution<double> unit(0, 1);
+	const Shape ball = test_mesh::Sphere(12, 20, 12);
+	for (const LabelFrame& frame : {FromAbove(), FromAbovePerspective(30)}) {
+		const LabelSpace space(frame);
+		const Sheet sheet = CandidatesOf(ball, space, 8, 8);
+		for (size_t t = 0; t < sheet.triangles.size(); ++t) {
+			if (!sheet.triangles[t].facing) continue;
+			double a = unit(random), b = unit(random);
+			if (a + b > 1) a = 1 - a, b = 1 - b;
+			const auto& v = sheet.triangles[t].vertex;
+			const auto at = [&](size_t k) { return sheet.vertices[size_t(v[k])].label; };
+			const Point3d q = at(0) * (1 - a - b) + at(1) * a + at(2) * b;
+			const Point3d w = SpaceWeights(space, sheet, int(t), space.project(q));
+			EXPECT_NEAR(w[0], 1 - a - b, 1e-9);
+			EXPECT_NEAR(w[1], a, 1e-9);
+			EXPECT_NEAR(w[2], b, 1e-9);
+		}
+	}
+}
+
+// A small circle of the label plane, carried to the surface along the lines of sight, is longest in the direction of the stretch.
+TEST(StretchOf, IsTheMostThatASmallCircleGrows)
+{
+	constexpr double pi = 3.14159265358979323846, step = 1e-6;
+	constexpr int directions = 720;
+	std::mt19937 random(2);
+	std::uniform_real_distribution<double> unit(-1, 1);
+	for (const LabelFrame& frame : {FromAbove(), FromAbovePerspective(30)}) {
+		const LabelSpace space(frame);
+		for (int i = 0; i < 50; ++i) {
+			const Point3d at(10 * unit(random), 10 * unit(random), 10 * unit(random));
+			const Point3d normal(2 * unit(random), 2 * unit(random), 1);
+			const Point3d eye = space.perspective() ? space.center() : at + Point3d(0, 0, 100);
+			if (normal * (eye - at) <= 0) continue;
+			const auto onSurface = [&](const Point2d& p) {
+				const Point3d onPlane(p[0], p[1], 0);
+				const Point3d ray = space.perspective() ? onPlane - eye : Point3d(0, 0, -1);
+				return onPlane + ray * ((normal * (at - onPlane)) / (normal * ray));
+			};
+			const Point2d middle = space.project(at);
+			double most = 0;
+			for (int d = 0; d < directions; ++d) {
+				const double angle = pi * d / directions;
+				const Point2d way = Point2d(std::cos(angle), std::sin(angle)) * step;
+				most = std::max(most, (onSurface(middle + way) - onSurface(middle - way)).Norm() / (2 * step));
+			}
+			const double stretch = StretchOf(space, at, normal);
+			EXPECT_NEAR(stretch, most, 1e-4 * most) << i;
+		}
+	}
+}
+
+TEST(StretchOf, IsInfiniteWhereTheSurfaceTurnsItsBack)
+{
+	const LabelSpace space(FromAbove());
+	EXPECT_EQ(StretchOf(space, {0, 0, 0}, {1, 0, -1}), std::numeric_limits<double>::infinity());
+	EXPECT_EQ(StretchOf(space, {0, 0, 0}, {1, 0, 0}), std::numeric_limits<double>::infinity());
+}
+
+// Looked at from above, the box's top lies over its bottom.
+TEST(SeenAt, IsOnTheNearestOfSeveralSurfaces)
+{
+	const Shape box = test_mesh::Box(20, 10, 2);
+	double top = -1e9;
+	for (const Point3d& p : box.points) top = std::max(top, p[2]);
+	for (const LabelFrame& frame : {FromAbove(), FromAbovePerspective(30)}) {
+		const LabelSpace space(frame);
+		const Sheet sheet = CandidatesOf(box, space, 50, 50);
+		const Point3d seen(3, 2, top);
+		EXPECT_LE((SeenAt(space, sheet, space.project(seen)) - seen).Norm(), 1e-12);
+		EXPECT_EQ(SeenAt(space, sheet, {40, 0}), Point3d(40, 0, 0));  // beside the box: on the label plane
+	}
+}
+
+}  // namespace
