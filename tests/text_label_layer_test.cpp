@@ -121,6 +121,39 @@ TEST(Layer, DoublesCarryWhatFloatsCannot)
 	EXPECT_EQ(error.code, ErrorCode::TooFine);
 }
 
+// A wall so far from the origin that float32 has only a few steps within it: what doubles carry is made, what they don't is refused
+// with a depth that works.
+TEST(Layer, DoublesCarryThinWallsThatFloatsCannot)
+{
+	const Point3d far(16777216, 0, 0);  // float32 has steps of 2 from here on
+	const auto made = [&](double thickness, double height, Error& error) {
+		const Shape wall =
+			test_mesh::Slab(2000, 1000, thickness, 4, 2).moved([&](const Point3d& p) { return p * 2 + far; });
+		LabelFrame frame;
+		double top = -1e9;
+		for (const Point3d& p : wall.points) top = std::max(top, p[2]);
+		frame.origin = far + Point3d(0, 0, top);
+		LabelOptions options;
+		options.height = height;
+		test_mesh::DoubleMesh m;
+		test_mesh::Fill(m, wall);
+		try {
+			const LabelResult result = LabelMesh(m, Moved(ThreeLetters(), 100, 0, 0), frame, options);
+			EXPECT_FALSE(result.survivesFloat32);
+			EXPECT_TRUE(IsSound(MakeReport(m))) << ToText(MakeReport(m));
+			return true;
+		} catch (const Error& e) {
+			error = e;
+			return false;
+		}
+	};
+	Error error(ErrorCode::Cancelled);
+	EXPECT_TRUE(made(8, -12, error)) << error.what();
+	EXPECT_FALSE(made(8, -16, error));
+	EXPECT_EQ(error.code, ErrorCode::HitsSurface);
+	EXPECT_TRUE(made(8, -error.limit, error)) << error.limit;
+}
+
 /// A box that leans, and a tetrahedron leaning over it, all in floats.
 Shape LeaningPair(std::mt19937& generator)
 {

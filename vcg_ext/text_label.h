@@ -11,6 +11,7 @@
 #include "label_plan.h"
 #include "patch_commit.h"
 
+#include <optional>
 #include <type_traits>
 
 namespace vcg::textlabel {
@@ -195,13 +196,27 @@ PlannedLabel PlanInBox(const MeshType& m, const LabelSpace& space, const Outline
                        const LabelOptions& options)
 {
 	constexpr bool isDouble = std::is_same_v<typename MeshType::ScalarType, double>;
+	const auto planWith = [&](bool isFloat) {
+		return PlanInBox(m, space, outline, box, options, options.measureRoom, Precision{isFloat, isDouble});
+	};
+	std::optional<Error> refusal;
 	try {
-		return PlanInBox(m, space, outline, box, options, options.measureRoom, Precision{true, isDouble});
+		return planWith(true);
 	} catch (const Error& e) {
-		const bool isFiner = e.code == ErrorCode::TooFine || (e.code == ErrorCode::BadHeight && e.value <= e.limit);
-		if (!isDouble || !isFiner) throw;
+		// where coordinates are coarse, a thin wall has no room and surfaces that are close coincide
+		const bool mayBeCoarse = e.code == ErrorCode::TooFine || e.code == ErrorCode::Occluded ||
+		                         e.code == ErrorCode::HitsSurface || e.code == ErrorCode::HitsItself ||
+		                         (e.code == ErrorCode::BadHeight && e.value <= e.limit);
+		if (!isDouble || !mayBeCoarse) throw;
+		refusal = e;
 	}
-	return PlanInBox(m, space, outline, box, options, options.measureRoom, Precision{false, isDouble});
+	try {
+		return planWith(false);
+	} catch (const Error& e) {
+		const bool isByHeight = e.code == ErrorCode::HitsSurface || e.code == ErrorCode::HitsItself;
+		if (isByHeight && refusal->code == e.code && refusal->limit > 0) throw *refusal;  // its depth survives float32
+		throw;
+	}
 }
 
 /// What the label would reach if it were raised by no more than a refusal says will do; empty when that can't be told.
