@@ -171,19 +171,14 @@ std::vector<std::vector<std::size_t>> Neighbourhoods(const std::vector<Paths>& s
 	return result;
 }
 
-/// The letters' shapes as one set of rings.
-Paths UnitedShapes(const std::vector<Paths>& shapes, double finest)
+/// The shapes of letters that may touch as one set of rings.
+Paths UnitedShapes(const std::vector<Paths>& shapes, const std::vector<std::size_t>& members, double finest)
 {
-	Paths all;
-	for (const std::vector<std::size_t>& members : Neighbourhoods(shapes, finest)) {
-		Paths rings;
-		for (const std::size_t i : members) rings.insert(rings.end(), shapes[i].begin(), shapes[i].end());
-		if (members.size() > 1) CheckCrossings(rings);
-		if (members.size() > 1) rings = CheckedUnion(rings, kTrifle * finest);
-		rings = Bridged(std::move(rings), finest);
-		all.insert(all.end(), rings.begin(), rings.end());
-	}
-	return all;
+	Paths rings;
+	for (const std::size_t i : members) rings.insert(rings.end(), shapes[i].begin(), shapes[i].end());
+	if (members.size() == 1) return rings;
+	CheckCrossings(rings);
+	return CheckedUnion(rings, kTrifle * finest);
 }
 
 struct PointHash {
@@ -268,22 +263,41 @@ vcg::textlabel::Outline Assembled(Paths rings, const LetterOfPoint& letterOf, co
 United UniteLetters(const std::vector<LetterRings>& letters, const UniteOptions& options)
 {
 	const Grid grid = GridFor(letters, options);
-	const double finest = kFinest * options.tolerance / grid.step;
+	const double finest = kFinest * options.tolerance / grid.step, offset = options.embolden / grid.step;
+	const bool isThinned = options.embolden < 0;
 	United result;
 	LetterOfPoint letterOf;
 	std::vector<Paths> shapes;
+	std::vector<const LetterRings*> letterOfShape;
 	for (const LetterRings& letter : letters) {
-		const Paths drawn = LetterShape(letter, options, grid);
-		Paths shape = Emboldened(drawn, options.embolden / grid.step);
+		Paths drawn = LetterShape(letter, options, grid);
+		Paths shape = Emboldened(drawn, offset);
 		const auto pieces = CountPieces(shape, finest);
 		if (pieces.first == 0 && !letter.rings.empty()) result.vanished.push_back(letter.letter);
-		else if (options.embolden < 0 && pieces != CountPieces(drawn, finest)) result.broken.push_back(letter.letter);
+		else if (isThinned && pieces != CountPieces(drawn, finest)) result.broken.push_back(letter.letter);
 		for (const Path& ring : shape) {
 			for (const IntPoint& p : ring) letterOf.emplace(p, letter.letter);
 		}
-		if (!shape.empty()) shapes.push_back(std::move(shape));
+		if (isThinned) shape = std::move(drawn);
+		if (shape.empty()) continue;
+		shapes.push_back(std::move(shape));
+		letterOfShape.push_back(&letter);
 	}
-	result.outline = Assembled(UnitedShapes(shapes, finest), letterOf, grid);
+	Paths all;
+	for (const std::vector<std::size_t>& members : Neighbourhoods(shapes, finest)) {
+		Paths rings = UnitedShapes(shapes, members, finest);
+		if (isThinned) {
+			Paths thin = Emboldened(rings, offset);
+			const bool isParted = members.size() > 1 && CountPieces(thin, finest) != CountPieces(rings, finest);
+			for (const std::size_t i : members) {
+				if (isParted && letterOfShape[i]->isJoined) result.broken.push_back(letterOfShape[i]->letter);
+			}
+			rings = std::move(thin);
+		}
+		rings = Bridged(std::move(rings), finest);
+		all.insert(all.end(), rings.begin(), rings.end());
+	}
+	result.outline = Assembled(std::move(all), letterOf, grid);
 	return result;
 }
 

@@ -3,7 +3,7 @@
 //
 // Fonts draw letters of overlapping, touching, doubled or self-crossing contours. Clipper unites them on an integer
 // grid by the non-zero rule: each letter by itself first, since fonts differ in which way round they draw, then all
-// together. What is left too close to each other (a pinch, a gap or a neck below `finest`) is bridged by a bead
+// together. They are thinned after that, so that no gap opens where they overlap. What is left too close to each other (a pinch, a gap or a neck below `finest`) is bridged by a bead
 // (outline_bead.h).
 
 #include <string>
@@ -17,6 +17,7 @@ namespace textlabel {
 struct LetterRings {
 	int letter = 0;           ///< index of the letter
 	std::vector<Ring> rings;  ///< any orientation, crossing or not; non-zero rule
+	bool isJoined = false;    ///< hangs together with its neighbours: where thinning parts them, they are spoilt
 };
 
 struct UniteOptions {
@@ -32,7 +33,7 @@ constexpr double kFinest = 1.0 / 8;
 struct United {
 	vcg::textlabel::Outline outline;  ///< as TextOutline::outline promises
 	std::vector<int> vanished;        ///< letters that had an area, of which nothing is left
-	std::vector<int> broken;          ///< letters that thinning took apart, each by itself, or that lost a piece
+	std::vector<int> broken;  ///< letters that thinning took apart, or that lost a piece; joined ones that it parted
 };
 
 /// Unite letters into one outline.

@@ -57,12 +57,15 @@ void OrderVisually(Items& items)
 	}
 }
 
-/// Scripts whose letters hang together, which spacing would tear apart.
+/// Scripts whose letters hang together, which spacing would tear apart: those with joining types in Unicode, and those with a
+/// line at their head.
 bool IsJoined(hb_script_t s)
 {
-	static const hb_script_t kJoined[] = {HB_SCRIPT_ARABIC,  HB_SCRIPT_SYRIAC,  HB_SCRIPT_MONGOLIAN,
-	                                      HB_SCRIPT_NKO,     HB_SCRIPT_MANDAIC, HB_SCRIPT_DEVANAGARI,
-	                                      HB_SCRIPT_BENGALI, HB_SCRIPT_GURMUKHI};
+	static const hb_script_t kJoined[] = {
+		HB_SCRIPT_ARABIC,     HB_SCRIPT_SYRIAC,          HB_SCRIPT_MONGOLIAN,  HB_SCRIPT_NKO,
+		HB_SCRIPT_MANDAIC,    HB_SCRIPT_PHAGS_PA,        HB_SCRIPT_MANICHAEAN, HB_SCRIPT_PSALTER_PAHLAVI,
+		HB_SCRIPT_ADLAM,      HB_SCRIPT_HANIFI_ROHINGYA, HB_SCRIPT_SOGDIAN,    HB_SCRIPT_CHORASMIAN,
+		HB_SCRIPT_DEVANAGARI, HB_SCRIPT_BENGALI,         HB_SCRIPT_GURMUKHI};
 	return std::find(std::begin(kJoined), std::end(kJoined), s) != std::end(kJoined);
 }
 
@@ -207,7 +210,7 @@ void AddGlyphs(const Cluster& cluster, int letter, const Affine& place, const Af
 		const ShapedGlyph& g = cluster.item->glyphs[i];
 		const vcg::Point2d offset = form({g.dx, g.dy});  // a mark leans with its letter
 		const Affine local{1, 0, 0, 1, pen + offset[0], offset[1]};
-		placed.push_back({cluster.item->font, g.glyph, letter, place.after(local)});
+		placed.push_back({cluster.item->font, g.glyph, letter, IsJoined(cluster.item->script), place.after(local)});
 		pen += form.xx * g.advance;
 	}
 }

@@ -13,7 +13,8 @@ struct PlacedGlyph {
 	int font = 0;
 	unsigned glyph = 0;
 	int letter = 0;
-	Affine place;  ///< a turn and a shift
+	bool isJoined = false;  ///< of a script whose letters hang together
+	Affine place;           ///< a turn and a shift
 };
 
 /// All that Layout needs to know of TextOptions; lengths in the label's units.

@@ -208,7 +208,7 @@ std::vector<LetterRings> RingsOf(const std::vector<PlacedGlyph>& placed, const A
                                  Glyphs& glyphs, double tolerance)
 {
 	std::map<std::pair<int, unsigned>, std::vector<Ring>> flat;
-	std::map<int, std::vector<Ring>> ofLetter;
+	std::map<int, LetterRings> ofLetter;
 	Budget budget;
 	for (const PlacedGlyph& g : placed) {
 		const auto [it, isNew] = flat.try_emplace({g.font, g.glyph});
@@ -219,15 +219,20 @@ std::vector<LetterRings> RingsOf(const std::vector<PlacedGlyph>& placed, const A
 			}
 		}
 		const Affine map = last.after(g.place);
+		LetterRings& letter = ofLetter[g.letter];
+		letter.isJoined = g.isJoined;
 		for (const Ring& ring : it->second) {
 			if (ring.empty()) continue;
 			budget.spend(ring.size());
-			Ring& moved = ofLetter[g.letter].emplace_back(ring);
+			Ring& moved = letter.rings.emplace_back(ring);
 			std::transform(moved.begin(), moved.end(), moved.begin(), map);
 		}
 	}
 	std::vector<LetterRings> letters;
-	for (auto& [letter, rings] : ofLetter) letters.push_back({letter, std::move(rings)});
+	for (auto& [index, letter] : ofLetter) {
+		letter.letter = index;
+		if (!letter.rings.empty()) letters.push_back(std::move(letter));
+	}
 	return letters;
 }
 

@@ -195,6 +195,26 @@ TEST(UniteLetters, SaysWhichLettersThinningTakesApart)
 	EXPECT_TRUE(UniteLetters(letters, {0.01, 0.6}).broken.empty()) << "what grows together was asked for";
 }
 
+TEST(UniteLetters, ThinsWhatOverlapsAsOne)
+{
+	const Ring bar{{0, 0}, {10, 0}, {10, 2}, {0, 2}}, next{{9.5, 0}, {20, 0}, {20, 2}, {9.5, 2}};
+	const Outline outline = UniteLetters({{0, {bar}}, {1, {next}}}, {0.01, -0.5}).outline;
+	EXPECT_EQ(outline.partCount, 1) << "the overlap is narrower than what is taken away from either";
+	EXPECT_NEAR(Area(outline), 19 * 1, 1e-5);
+}
+
+TEST(UniteLetters, SaysWhichJoinedLettersThinningParts)
+{
+	const Ring left{{0, 0}, {4, 0}, {4, 4}, {0, 4}}, joint{{3, 0}, {7, 0}, {7, 1}, {3, 1}},
+		right{{6, 0}, {10, 0}, {10, 4}, {6, 4}}, far{{20, 0}, {24, 0}, {24, 4}, {20, 4}};
+	std::vector<LetterRings> letters = {{0, {left}}, {1, {right, joint}}, {2, {far}}};
+	const auto brokenAt = [&](double embolden) { return UniteLetters(letters, {0.01, embolden}).broken; };
+	EXPECT_EQ(brokenAt(-0.6), std::vector<int>{}) << "that they touch may be chance";
+	for (LetterRings& letter : letters) letter.isJoined = true;
+	EXPECT_EQ(brokenAt(-0.4), std::vector<int>{});
+	EXPECT_EQ(brokenAt(-0.6), (std::vector<int>{0, 1}));
+}
+
 TEST(UniteLetters, RefusesWhatCrossesItselfWithoutEnd)
 {
 	std::mt19937 random(1);

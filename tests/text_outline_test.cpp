@@ -302,6 +302,21 @@ TEST(TextOutline, OverlappingLettersAreOneContour)
 		<< "joined letters, and a dot";
 }
 
+// The fonts let joined letters overlap by less than is taken away here.
+TEST(TextOutline, JoinedLettersStayJoinedWhenThinned)
+{
+	for (const auto& [font, text, thinning, parts] :
+	     {std::tuple{"Amiri", "سلام", 0.2, 2}, {"Noto Sans Devanagari", "नमस्ते", 0.4, 1}}) {
+		if (!IsInstalled(font)) GTEST_SKIP() << font << " is not installed";
+		const auto thinned = [&, font = font](double by) {
+			return [font, by](TextOptions& o) { o.size = 10, o.font = font, o.embolden = -by; };
+		};
+		EXPECT_EQ(Made(text, thinned(0)).outline.partCount, parts) << font;
+		EXPECT_EQ(Made(text, thinned(thinning)).outline.partCount, parts) << font;
+		EXPECT_EQ(CodeOf(text, thinned(0.5)), TextErrorCode::LetterBroken) << font << ": more than its strokes have";
+	}
+}
+
 TEST(TextOutline, MeasuresStrokesAndGaps)
 {
 	const TextOutline i = Made("I");
