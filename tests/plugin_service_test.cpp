@@ -63,10 +63,11 @@ struct Finished {
 	vcg::textlabel::LabelResult result;
 };
 
-Finished RunOn(Mesh& m, const LabelRequest& request, const ServiceHost& host = {})
+Finished RunOn(Mesh& m, const LabelRequest& request, const ServiceHost& host = {},
+               const vcg::Matrix44d& toWorld = vcg::textlabel::LabelFrame::Identity())
 {
 	ErrorContext context;
-	LabelJob<Mesh> job(m, vcg::textlabel::LabelFrame::Identity(), host, context);
+	LabelJob<Mesh> job(m, toWorld, host, context);
 	const LabelReport report = job.run(request);
 	return {report, job.result()};
 }
@@ -276,12 +277,9 @@ TEST(Service, TellsLengthsAreasAndVolumesAsTheLayersMatrixScalesThem)
 	MakePlate(m, 5);
 	vcg::Matrix44d matrix;
 	matrix.SetScale(10, 10, 10);
-	ErrorContext context;
 	LabelRequest request = OnTop(80, 20);
 	request.position = {300, 200, 50};
-	const ServiceHost host;
-	LabelJob<Mesh> job(m, matrix, host, context);
-	const LabelReport report = job.run(request);
+	const LabelReport report = RunOn(m, request, {}, matrix).report;
 	EXPECT_NEAR(report.before.volume, 60 * 40 * 5 * 1000.0, 1);
 	EXPECT_NEAR(report.after.volume - report.before.volume, report.labelArea * 20, 1e-4 * report.labelArea * 20);
 }
