@@ -72,6 +72,8 @@ std::string ReportJson(const LabelReport& r)
 {
 	Object json;
 	json.add("text", r.request.text)
+		.add("code", ChoiceNames(r.request.code)[size_t(r.request.code)])
+		.add("module", r.module)
 		.add("font", r.font)
 		.add("style", ChoiceNames(r.request.style)[size_t(r.request.style)]);
 	json.add("placement", ChoiceNames(r.request.placement)[size_t(r.request.placement)]);

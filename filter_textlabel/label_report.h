@@ -37,6 +37,7 @@ struct LabelReport {
 	double stretch = 1;                     ///< largest surface length over label length
 	double resolution = 0;                  ///< no contour point was moved by more, world units
 	bool survivesFloat32 = true;  ///< false: in a file of single precision, as STL, the letters would be spoilt
+	double module = 0;            ///< side of a code's squares; 0: there is none
 	double thinnestStroke = 0, narrowestGap = 0;
 	UsedView view;
 	std::vector<std::pair<const char*, double>> milliseconds;  ///< stages in order, and "total"

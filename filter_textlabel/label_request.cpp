@@ -272,6 +272,7 @@ TextOptions TextOptionsOf(const LabelRequest& request, double size)
 	options.language = request.language;
 	options.features = request.features;
 	options.fallbackFonts = request.fallbackFonts;
+	options.code = request.code;
 	options.size = size;
 	options.tolerance = request.tolerance == ChosenToFit ? 0 : request.tolerance;
 	options.align = request.align;

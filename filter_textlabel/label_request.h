@@ -30,7 +30,7 @@ constexpr double ChosenToFit = -1;
 struct LabelRequest {
 	std::string text = "A43";    ///< UTF-8; a newline, or \n as two characters, breaks a line
 	std::string font;            ///< family, or font file; empty: the font inside the plugin
-	double size = ChosenToFit;   ///< capital height
+	double size = ChosenToFit;   ///< capital height, or a code's height
 	double depth = ChosenToFit;  ///< height of the relief, always positive
 	LabelStyle style = LabelStyle::Emboss;
 	PlacementKind placement = PlacementKind::Automatic;
@@ -43,6 +43,7 @@ struct LabelRequest {
 	double rotation = 0;              ///< degrees, counter-clockwise as the viewer sees it
 	ExtrudeDirection extrudeAlong = ExtrudeDirection::Viewpoint;
 	double tolerance = ChosenToFit;  ///< chord error of curves
+	CodeKind code = CodeKind::None;
 	Align align = Align::Center;
 	Anchor anchor = Anchor::Middle;
 	double fitWidth = 0;               ///< > 0: width of the text, the size follows
@@ -71,7 +72,7 @@ enum class ParameterUse { Value, FontName, Place, Direction, JsonFile, ImageFile
 using ParameterField = std::variant<std::string LabelRequest::*, double LabelRequest::*, bool LabelRequest::*,
                                     vcg::Point3d LabelRequest::*, Rgb LabelRequest::*, LabelStyle LabelRequest::*,
                                     PlacementKind LabelRequest::*, ExtrudeDirection LabelRequest::*,
-                                    Align LabelRequest::*, Anchor LabelRequest::*>;
+                                    Align LabelRequest::*, Anchor LabelRequest::*, CodeKind LabelRequest::*>;
 
 /// One row of the table.
 struct Parameter {
@@ -106,6 +107,7 @@ const std::vector<std::string>& ChoiceNames(PlacementKind);
 const std::vector<std::string>& ChoiceNames(ExtrudeDirection);
 const std::vector<std::string>& ChoiceNames(Align);
 const std::vector<std::string>& ChoiceNames(Anchor);
+const std::vector<std::string>& ChoiceNames(CodeKind);
 
 /// Call visitor(member) with a reference to the member that the parameter describes, in its own type.
 template <class Request, class Visitor>

@@ -209,18 +209,18 @@ void LabelJob<MeshType>::labelOnce(const LabelRequest& request, const Camera& vi
 	if (!OfferAttempts(request, view, probe(), text, accept)) refuse();
 }
 
-/// A depth that is left to us is a share of the size, less where the part is thin.
+/// A depth that is left to us is a share of the size, or of a code's module, less where the part is thin.
 template <class MeshType>
 void LabelJob<MeshType>::tryAttempt(const LabelRequest& request, const Attempt& attempt, const TextOutline& outline)
 {
-	constexpr double sizeOverDepth = 10, ofWall = 0.4, ofRoom = 0.5;
+	constexpr double sizeOverDepth = 10, moduleOverDepth = 2, ofWall = 0.4, ofRoom = 0.5;
 	frame_ = attempt.frame;
 	frame_.toWorld = toWorld_;
 	size_ = attempt.size;
 	context_.letters = outline.letters;
 	const bool choose = request.depth == ChosenToFit && request.style != LabelStyle::Flat;
 	if (!choose) return labelAtDepth(request, outline, request.depth);
-	double depth = size_ / sizeOverDepth;
+	double depth = outline.module > 0 ? outline.module / moduleOverDepth : size_ / sizeOverDepth;
 	if (request.style == LabelStyle::Engrave && attempt.wall > 0) depth = std::min(depth, attempt.wall * ofWall);
 	try {
 		labelAtDepth(request, outline, depth);
@@ -316,6 +316,7 @@ LabelReport LabelJob<MeshType>::report(const LabelRequest& request) const
 	r.size = size_;
 	r.depth = height_;
 	for (const std::string& font : outline_.fonts) r.font += (r.font.empty() ? "" : "; ") + font;
+	r.module = outline_.module;
 	r.thinnestStroke = outline_.thinnestStroke.width;
 	r.narrowestGap = outline_.narrowestGap.width;
 	r.touchedTriangles = result_.touchedFaces;

@@ -34,6 +34,16 @@ const std::vector<std::string>& ChoiceNames(Anchor)
 	return names;
 }
 
+const std::vector<std::string>& ChoiceNames(CodeKind)
+{
+	static const std::vector<std::string> names = [] {
+		std::vector<std::string> each;
+		for (int kind = 0; kind <= int(CodeKind::Code128); ++kind) each.emplace_back(CodeName(CodeKind(kind)));
+		return each;
+	}();
+	return names;
+}
+
 const std::vector<Parameter>& ParameterTable()
 {
 	using R = LabelRequest;
@@ -51,7 +61,8 @@ const std::vector<Parameter>& ParameterTable()
 	     "inside this filter.",
 	     &R::font, Use::FontName},
 		{"size", "Size (capital height, mesh units)",
-	     "Height of a capital letter, in the units of the mesh, as its layer's matrix scales it. -1: chosen so that "
+	     "Height of a capital letter (of the symbol, for a code), in the units of the mesh, as its layer's matrix "
+	     "scales it. -1: chosen so that "
 	     "the text fits.",
 	     &R::size},
 		{"depth", "Depth (mesh units)",
@@ -99,11 +110,20 @@ const std::vector<Parameter>& ParameterTable()
 		{"tolerance", "Tolerance (mesh units)",
 	     "Largest distance between the font's curves and the polygons that are cut. -1: fine for the size.",
 	     &R::tolerance},
+		{"code", "Code",
+	     "Mark the text as a code that a camera reads, instead of in letters. The size is then the height of the whole "
+	     "symbol; font, language, spacing, slant and arc do not count. A GS1 Data Matrix has its identifiers in "
+	     "brackets: "
+	     "[01]09506000134352[21]0042. Leave a margin around it: four modules (the "
+	     "squares it is made of) for a QR Code, ten for Code 128, one or two for the others.",
+	     &R::code, Use::Value, advanced},
 		{"align", "Align", "Which end of the lines of text comes to the place.", &R::align},
 		{"anchor", "Anchor", "Which height of the text comes to the place.", &R::anchor, Use::Value, advanced},
 		{"fit_width", "Width to fit (mesh units)",
-	     "Width of the whole text; the size is ignored, it follows from this. 0: the size counts.", &R::fitWidth,
-	     Use::Value, advanced},
+	     "Width of the whole text (on an arc: before it is bent); the size is ignored, it follows from this. 0: the "
+	     "size "
+	     "counts.",
+	     &R::fitWidth, Use::Value, advanced},
 		{"line_spacing", "Line spacing", "Distance between lines, times the font's own.", &R::lineSpacing, Use::Value,
 	     advanced},
 		{"letter_spacing", "Letter spacing", "Space added between letters, in capital heights.", &R::letterSpacing,

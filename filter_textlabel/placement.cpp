@@ -176,10 +176,10 @@ double WantedSize(const LabelRequest& request)
 }
 
 /// Sizes to try: a text of half the part at first, then smaller.
-std::vector<double> SizesToTry(const TextExtent& extent, const LabelFrame& frame, const vcg::Box3d& box)
+/// @param[in] largest  of the part's diagonal
+std::vector<double> SizesToTry(const TextExtent& extent, double largest, const LabelFrame& frame, const vcg::Box3d& box)
 {
-	constexpr double share = 0.5, largest = 0.08,
-					 step = 0.7;  // of the part's extent; of its diagonal; from one to the next
+	constexpr double share = 0.5, step = 0.7;  // of the part's extent; from one to the next
 	constexpr int count = 9;
 	double size = box.Diag() * largest;
 	if (extent.width() > 0) size = std::min(size, share * Extent(box, frame.u) / extent.width());
@@ -194,11 +194,13 @@ using Accept = std::function<bool(const Attempt&)>;
 bool OfferAtPlace(const LabelRequest& request, double size, const Camera& camera, const PartProbe& part,
                   TextSetter& text, const Accept& accept)
 {
+	constexpr double largestLetters = 0.08, largestCode = 0.25;
 	LabelFrame frame = request.placement == PlacementKind::PointAndDirection ? PlaceAtPoint(request, part)
 	                                                                         : PlaceInView(request, camera, part);
 	Rotate(frame, request.rotation);
 	if (size != ChosenToFit) return accept({frame, size, 0});
-	const std::vector<double> sizes = SizesToTry(ExtentOf(request, size, text), frame, part.box);
+	const double largest = request.code == CodeKind::None ? largestLetters : largestCode;
+	const std::vector<double> sizes = SizesToTry(ExtentOf(request, size, text), largest, frame, part.box);
 	if (sizes.empty()) throw RequestError(RequestProblem::NoPlace, "size").measured(size);
 	return std::any_of(sizes.begin(), sizes.end(), [&](double s) { return accept({frame, s, 0}); });
 }

@@ -86,6 +86,8 @@ std::string TextSentence(const TextError& e)
 		            ? std::string(", only bitmaps")
 		            : " for " + Characters(e) + ", but a picture (bitmap or colour layers), a bare line or nothing") +
 		       ": choose a font with outlines.";
+	case TextErrorCode::BadCode:
+		return "The text cannot be written as " + e.substitute + Because(e) + ": shorten it, or choose another code.";
 	default: return {};
 	}
 }
@@ -133,7 +135,9 @@ std::string OptionSentence(const TextError& e)
 	case TextErrorCode::BadSlant: return "The slant is " + value + " degrees: give at most " + limit + " either way.";
 	case TextErrorCode::BadEmbolden:
 		return "Emboldening by " + value + " is out of range: give " +
-		       (e.limit > 0 ? "at most " + NumberBelow(e.limit) + ", the capital height, either way." : "a length.");
+		       (e.limit > 0 ? "at most " + NumberBelow(e.limit) + (e.detail.empty() ? "" : ", " + e.detail + ",") +
+		                          " either way."
+		                    : "a length.");
 	case TextErrorCode::BadArc:
 		if (!(e.limit > 0)) return "The radius of the arc is " + value + ": give a length; 0 is a straight line.";
 		return "The text does not fit on an arc of radius " + value + ": give a radius of " +
@@ -160,6 +164,10 @@ std::string ResultSentence(const TextError& e)
 {
 	switch (e.code) {
 	case TextErrorCode::TooThin:
+		if (e.isCode)
+			return "The " + std::string(e.detail == "gap" ? "light" : "dark") + " modules of the code measure " +
+			       Number(e.value) + ", where " + Number(e.limit) + " is asked for: " + LargerText(e) +
+			       "a shorter text would do.";
 		return "The narrowest " + e.detail + " measures " + Number(e.value) + ", where " + Number(e.limit) +
 		       " is asked for (too narrow in " + Letters(e) + "): " + LargerText(e) + "a " +
 		       (e.detail == "gap" ? "lighter" : "bolder") + " font would do.";

@@ -17,6 +17,7 @@ enum class TextErrorCode {
 	BadUtf8,        ///< `offset`: first byte that is not UTF-8
 	TextTooLong,    ///< `value` letters, `limit` allowed
 	MissingGlyphs,  ///< `codePoints`: characters that `font` does not have
+	BadCode,        ///< the code `substitute` cannot hold the text; `detail` says why
 	NoOutlines,  ///< `codePoints`: characters that `font` has as pictures only, or empty (`codePoints` empty: all of them)
 	// the font
 	FontNotFound,     ///< no such file, or Fontconfig knows no font at all
@@ -30,7 +31,7 @@ enum class TextErrorCode {
 	BadTolerance,  ///< chord error negative, not a number, or too coarse for the letters: `value`, `limit`
 	BadSpacing,    ///< line or letter spacing not finite or out of range: `value`, `least`, `limit`
 	BadSlant,      ///< degrees: `value`, at most `limit` either way
-	BadEmbolden,   ///< `value` larger than `limit`, or not finite (`limit` 0)
+	BadEmbolden,   ///< `value` larger than `limit`, which is `detail`, or not finite (`limit` 0)
 	BadArc,      ///< radius `value`: not finite (`limit` 0), or the text does not fit; `limit` is the least that works
 	BadFeature,  ///< `detail`: not an OpenType feature setting
 	BadPrintLimit,  ///< smallest stroke or gap asked for is negative or not a number: `value`
@@ -55,6 +56,7 @@ struct TextError : std::exception {
 	double size = 0;                   ///< capital height that would do, mesh units; infinite = none
 	double fitWidth = 0;               ///< width to fit that would do, where one was asked for; else 0
 	bool hasFallback = false;          ///< other installed fonts were searched too
+	bool isCode = false;               ///< what is too thin are the modules of a code, which has no letters
 
 	explicit TextError(TextErrorCode c, std::string d = {}) : code(c), detail(std::move(d)) {}
 	TextError& ofFont(std::string f)

@@ -247,6 +247,17 @@ std::vector<PlacedGlyph> Layout(const std::vector<ShapedLine>& lines, const Font
 	return placed;
 }
 
+vcg::Point2d AnchorOf(const vcg::Box2d& ink, Align align, Anchor anchor)
+{
+	vcg::Point2d place(0, 0);
+	if (align == Align::Left) place[0] = ink.min[0];
+	if (align == Align::Center) place[0] = (ink.min[0] + ink.max[0]) / 2;
+	if (align == Align::Right) place[0] = ink.max[0];
+	if (anchor == Anchor::Middle) place[1] = (ink.min[1] + ink.max[1]) / 2;
+	if (anchor == Anchor::Top) place[1] = ink.max[1];
+	return place;
+}
+
 std::vector<std::string> LettersOf(const std::vector<ShapedLine>& lines)
 {
 	std::vector<std::string> letters;

@@ -2,6 +2,7 @@
 // Layout: where each glyph of the shaped lines goes.
 
 #include <vector>
+#include <vcg/space/box2.h>
 #include "outline_curve.h"
 #include "text_outline.h"
 #include "text_shape.h"
@@ -35,6 +36,9 @@ Affine FormOf(const LayoutOptions& options);
 /// @throws TextError{BadArc}
 std::vector<PlacedGlyph> Layout(const std::vector<ShapedLine>& lines, const FontStack& fonts,
                                 const LayoutOptions& options);
+
+/// What of a box of ink comes to (0, 0).
+vcg::Point2d AnchorOf(const vcg::Box2d& ink, Align align, Anchor anchor);
 
 /// The letters of the lines: clusters of characters that are shaped as one, in the order of the text, as UTF-8.
 std::vector<std::string> LettersOf(const std::vector<ShapedLine>& lines);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include "code_outline.h"
 #include "outline_flatten.h"
 #include "outline_measure.h"
 #include "outline_unite.h"
@@ -190,18 +191,6 @@ double SizeToFit(const std::vector<ShapedLine>& lines, const FontStack& fonts, G
 	return size;
 }
 
-/// The label's anchor in the coordinates of the layout.
-vcg::Point2d AnchorOf(const vcg::Box2d& ink, const TextOptions& options)
-{
-	vcg::Point2d anchor(0, 0);
-	if (options.align == Align::Left) anchor[0] = ink.min[0];
-	if (options.align == Align::Center) anchor[0] = (ink.min[0] + ink.max[0]) / 2;
-	if (options.align == Align::Right) anchor[0] = ink.max[0];
-	if (options.anchor == Anchor::Middle) anchor[1] = (ink.min[1] + ink.max[1]) / 2;
-	if (options.anchor == Anchor::Top) anchor[1] = ink.max[1];
-	return anchor;
-}
-
 /// Flatten the placed glyphs, letter by letter. A glyph is flattened once and then moved: its chord error moves with
 /// it.
 std::vector<LetterRings> RingsOf(const std::vector<PlacedGlyph>& placed, const Affine& form, const Affine& last,
@@ -256,11 +245,13 @@ void CheckPrintable(const std::vector<LetterWidths>& widths, const TextOutline& 
 	for (std::size_t i = 0; i < widths.size(); ++i) {
 		const bool thin = check(widths[i].stroke, options.minStroke, 2 * options.embolden, "stroke");
 		const bool tight = check(widths[i].gap, options.minGap, -2 * options.embolden, "gap");
+		if (text.letters.empty()) continue;
 		const std::string& letter = text.letters[i];
 		const bool isNew = std::find(error.letters.begin(), error.letters.end(), letter) == error.letters.end();
 		if ((thin || tight) && isNew) error.letters.push_back(letter);
 	}
-	if (error.letters.empty()) return;
+	if (growth == 0) return;
+	error.isCode = text.module > 0;
 	error.size = growth * text.capitalHeight;
 	const double fixed = 2 * options.embolden;
 	if (options.fitWidth > 0) error.fitWidth = fixed + growth * (options.fitWidth - fixed);
@@ -278,10 +269,13 @@ vcg::Box2d BoxOf(const vcg::textlabel::Outline& outline)
 
 void Measure(TextOutline& text, const TextOptions& options)
 {
-	const std::vector<LetterWidths> widths =
-		MeasureWidths(text.outline, static_cast<int>(text.letters.size()), kMeasureReach * text.capitalHeight);
-	const auto keepLess = [](Narrowest& least, double width, std::size_t letter) {
-		if (width > 0 && (least.letter < 0 || width < least.width)) least = {width, static_cast<int>(letter)};
+	const auto letterCount = static_cast<int>(text.letters.size());
+	std::vector<LetterWidths> widths;
+	if (text.module > 0) widths = {{text.module + 2 * options.embolden, text.module - 2 * options.embolden}};
+	else widths = MeasureWidths(text.outline, letterCount, kMeasureReach * text.capitalHeight);
+	const auto keepLess = [letterCount](Narrowest& least, double width, std::size_t letter) {
+		if (width > 0 && (least.width == 0 || width < least.width))
+			least = {width, letterCount > 0 ? static_cast<int>(letter) : -1};
 	};
 	for (std::size_t i = 0; i < widths.size(); ++i) {
 		keepLess(text.thinnestStroke, widths[i].stroke, i);
@@ -319,7 +313,7 @@ void MoveToAnchor(vcg::textlabel::Outline& outline, const TextOptions& options)
 {
 	vcg::Box2d ink = BoxOf(outline);
 	if (options.mirrored) ink = vcg::Box2d({-ink.max[0], ink.min[1]}, {-ink.min[0], ink.max[1]});
-	vcg::Point2d anchor = AnchorOf(ink, options);
+	vcg::Point2d anchor = AnchorOf(ink, options.align, options.anchor);
 	if (options.mirrored) anchor[0] = -anchor[0];
 	for (vcg::textlabel::Contour& contour : outline.contours) {
 		for (vcg::Point2d& p : contour.points) p -= anchor;
@@ -344,7 +338,7 @@ SpoiltLetters SetAt(double size, const std::vector<ShapedLine>& lines, const Fon
 	const std::vector<PlacedGlyph> placed = Layout(lines, fonts, layout);
 	const vcg::Box2d ink = InkBox(placed, form, glyphs);
 	if (ink.IsNull()) throw TextError(TextErrorCode::EmptyText);
-	const vcg::Point2d anchor = AnchorOf(ink, options);
+	const vcg::Point2d anchor = AnchorOf(ink, options.align, options.anchor);
 	const double side = options.mirrored ? -1 : 1;
 	const Affine toAnchor{side, 0, 0, 1, -side * anchor[0], -anchor[1]};
 	United united =
@@ -372,11 +366,8 @@ std::vector<std::string> FontsOf(const std::vector<ShapedLine>& lines, const Fon
 	return used;
 }
 
-}  // namespace
-
-TextOutline MakeTextOutline(const std::string& utf8, const TextOptions& options)
+TextOutline SetInLetters(const std::string& utf8, const TextOptions& options)
 {
-	CheckOptions(options);
 	FontStack fonts(options.font, options.fallbackFonts);
 	const std::vector<ShapedLine> lines = ShapeText(utf8, fonts, options);
 	CheckGlyphs(lines, fonts);
@@ -388,7 +379,7 @@ TextOutline MakeTextOutline(const std::string& utf8, const TextOptions& options)
 	const auto checkEmbolden = [&] {
 		const double most = kMostEmbolden * text.capitalHeight;
 		if (std::abs(options.embolden) > most)
-			throw TextError(TextErrorCode::BadEmbolden).measured(options.embolden, most);
+			throw TextError(TextErrorCode::BadEmbolden, "the capital height").measured(options.embolden, most);
 	};
 	text.capitalHeight = options.fitWidth > 0 ? sizeWith(2 * options.embolden) : options.size;
 	checkEmbolden();  // first: what is far out of range takes long
@@ -408,6 +399,15 @@ TextOutline MakeTextOutline(const std::string& utf8, const TextOptions& options)
 	RequireNone(spoilt.vanished, TextErrorCode::LetterVanished, text);
 	RequireNone(spoilt.broken, TextErrorCode::LetterBroken, text);
 	if (text.outline.contours.empty()) throw TextError(TextErrorCode::EmptyText);
+	return text;
+}
+
+}  // namespace
+
+TextOutline MakeTextOutline(const std::string& utf8, const TextOptions& options)
+{
+	CheckOptions(options);
+	TextOutline text = options.code == CodeKind::None ? SetInLetters(utf8, options) : SetAsCode(utf8, options);
 	Measure(text, options);
 	return text;
 }

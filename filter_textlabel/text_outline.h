@@ -7,6 +7,7 @@
 
 #include <string>
 #include <vector>
+#include "code_symbol.h"
 #include "text_error.h"
 #include "vcg_ext/contour.h"
 
@@ -25,7 +26,10 @@ struct TextOptions {
 	std::string features;        ///< OpenType features, HarfBuzz syntax, comma-separated: "tnum,ss01,-liga"
 	bool fallbackFonts = false;  ///< take characters that the font lacks from other installed fonts
 
-	double size = 10;      ///< height of the capital letters
+	/// In letters, or as a code; then font, language, features, spacing, slant and arc play no part.
+	CodeKind code = CodeKind::None;
+
+	double size = 10;      ///< height of the capital letters, or of the code's symbol
 	double fitWidth = 0;   ///< > 0: width of the ink; the size follows from it (on an arc: along the baseline)
 	double tolerance = 0;  ///< largest distance of a curve from its chords; 0 = size / kDefaultTolerance
 
@@ -59,12 +63,13 @@ struct TextOutline {
 	/// each contour starts at its leftmost, then lowest point; parts in reading order of their letters.
 	vcg::textlabel::Outline outline;
 	/// The clusters of the text that are shaped as one (a letter with its marks, a ligature, a blank), UTF-8, in the
-	/// order of the text; Contour::letter is an index into it.
+	/// order of the text; Contour::letter is an index into it. A code has none.
 	std::vector<std::string> letters;
 	vcg::Point2d boxMin{0, 0}, boxMax{0, 0};
 	std::vector<std::string> fonts;  ///< those with ink in it, the main one first: "DejaVu Sans Bold (file, wght=650)"
 	double capitalHeight = 0;        ///< mesh units: the size asked for, or the one that fits the width
 	double tolerance = 0;            ///< the one used
+	double module = 0;               ///< of a code: the side of its squares, mesh units; else 0
 	Narrowest thinnestStroke, narrowestGap;
 };
 

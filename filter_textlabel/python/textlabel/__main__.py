@@ -49,6 +49,7 @@ FLAGS = [
     ("--depth", "depth", "mesh units"),
     ("--along", "extrude_along", "viewpoint, label or surface"),
     ("--font", "font", "family or font file"),
+    ("--code", "code", "a code instead of letters: data matrix, gs1 data matrix, qr code, micro qr code, aztec code, code 128"),
     ("--color", "color", "RRGGBB, of the letters' faces"),
 ]
 

@@ -14,6 +14,7 @@ CHOICES = {  # of the filter, by number
     "style": ["Emboss", "Engrave", "Flat"],
     "placement": ["Current view", "Camera", "Point and direction", "Automatic"],
     "extrude_along": ["Viewpoint", "Label normal", "Surface normal"],
+    "code": ["None", "Data Matrix", "GS1 Data Matrix", "QR Code", "Micro QR Code", "Aztec Code", "Code 128"],
     "align": ["Left", "Center", "Right"],
     "anchor": ["Baseline", "Middle", "Top"],
 }
