@@ -16,8 +16,10 @@ std::map<std::string, QVariant> Outputs(const textlabel::LabelReport& r)
 		{"anchor", QVariant::fromValue(Point(r.view.anchor))},
 		{"normal", QVariant::fromValue(Point(r.view.direction))},
 		{"size", r.size},
+		{"module", r.module},
 		{"depth", r.depth},
 		{"stretch", r.stretch},
+		{"resolution", r.resolution},
 		{"survives_float32", r.survivesFloat32},
 		{"milliseconds", r.milliseconds.back().second},
 	};

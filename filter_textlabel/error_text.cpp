@@ -1,6 +1,7 @@
 #include "error_text.h"
 #include "label_request.h"
 
+#include <charconv>
 #include <cmath>
 #include <cstdio>
 
@@ -26,6 +27,19 @@ std::string Capital(std::string text)
 	if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = char(text[0] - 'a' + 'A');
 	return text;
 }
+
+/// The nearest figure that is not below a number, or not above it: one that is told as a limit has to work.
+std::string FigureBeyond(double value, double direction)
+{
+	constexpr double halfDigit = 5e-6;  // relative, of the six that a figure has
+	const std::string figure = Figure(value);
+	double printed = 0;
+	std::from_chars(figure.data(), figure.data() + figure.size(), printed);
+	return (printed - value) * direction >= 0 ? figure : Figure(value + direction * std::abs(value) * halfDigit);
+}
+
+std::string FigureAbove(double value) { return FigureBeyond(value, 1); }
+std::string FigureBelow(double value) { return FigureBeyond(value, -1); }
 
 std::string Where(const Error& error) { return error.hasPlace ? " near " + Place(error.place) : std::string(); }
 
@@ -88,7 +102,7 @@ std::string PlaceText(const Error& error, const ErrorContext& context)
 			return letter + " lies on a surface that turns its back to the direction in which the label is extruded" +
 			       where + ". Extrude along the viewpoint (extrude_along), or look at the place more from the front.";
 		return letter + " lies on a surface that is too steep to the view" + where + ": it would be stretched " +
-		       Figure(error.value) + " times, " + Figure(error.limit) +
+		       FigureAbove(error.value) + " times, " + Figure(error.limit) +
 		       " is allowed. Look at the place more from the front, or raise max_stretch.";
 	case ErrorCode::TooFine:
 		if (!(error.value > 0))
@@ -133,8 +147,10 @@ std::string NumberSentence(const RequestError& error)
 		return is + ", larger than the part, whose diagonal is " + Figure(error.limit) +
 		       ". Give a smaller number, in the units of the mesh.";
 	default:
-		return is + ". Give a number of " + (error.value < error.limit ? "at least " : "at most ") +
-		       Figure(error.limit) + ".";
+		return is + ". Give a number of " +
+		       (error.value < error.limit ? "at least " + FigureAbove(error.limit)
+		                                  : "at most " + FigureBelow(error.limit)) +
+		       ".";
 	}
 }
 

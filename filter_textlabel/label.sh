@@ -12,7 +12,7 @@ usage: label.sh [options] [--] INPUT OUTPUT TEXT
        label.sh --parameters    list the filter's parameters, for --set
 
 INPUT           a mesh file: STL, PLY, OFF and what else MeshLab reads, but no OBJ, at which Debian's meshlabserver aborts
-OUTPUT          a mesh file: .stl, .ply, .obj, .off, .dae, .x3d, .wrl or .ctm
+OUTPUT          a mesh file: .stl, .ply, .obj, .off, .dae, .x3d or .wrl
 TEXT            the text; \n breaks a line
 
 Where, by default the largest flat region that holds the text:
@@ -28,6 +28,8 @@ How:
   --depth D             mesh units (default: chosen from the size)
   --along viewpoint|label|surface
   --font F              family ("DejaVu Sans:Bold"), font file, or either with axes ("Inter:wght=650")
+  --code KIND           a code instead of letters, --size high: "data matrix", "gs1 data matrix", "qr code", "micro qr code",
+                        "aztec code" or "code 128"
   --tolerance T         largest distance between the font's curves and what is cut, mesh units
   --color RRGGBB        of the letters' faces, raised and sunk ones too
   --set NAME=VALUE      any parameter; position or camera say where, as above
@@ -87,7 +89,7 @@ while [ $# -gt 0 ]; do
 		;;
 	--) files+=("$@"); break ;;
 	--at | --direction | --up | --camera | --offset | --rotate | --style | --size | --depth | --along | --font | --tolerance | \
-		--color | --set | --report | --picture | --outline)
+		--code | --color | --set | --report | --picture | --outline)
 		[ $# -gt 0 ] || wrong "$option needs a value"
 		value=$1
 		shift
@@ -106,7 +108,7 @@ while [ $# -gt 0 ]; do
 		;;
 	--rotate) parameters+=("rotation=$value") ;;
 	--along) parameters+=("extrude_along=$value") ;;
-	--size | --depth | --tolerance | --font | --color | --style | --report | --picture | --outline)
+	--size | --depth | --tolerance | --font | --code | --color | --style | --report | --picture | --outline)
 		parameters+=("${option#--}=$value")
 		;;
 	--set)
@@ -136,16 +138,33 @@ parameters+=("text=${files[2]}")
 
 # What the parameters mean for files, whichever option they came by.
 colors=
+is_flat=
+written=(${input:+"$(absolute "$input")"} ${output:+"$(absolute "$output")"})
 for i in "${!parameters[@]}"; do
 	name=${parameters[i]%%=*} value=${parameters[i]#*=}
 	case $name in
-	report | picture | outline) [ -z "$value" ] || parameters[i]=$name=$(absolute "$value") ;;
+	report | picture | outline)
+		[ -n "$value" ] || continue
+		value=$(absolute "$value")
+		for other in "${written[@]}"; do
+			[ "$value" != "$other" ] || refuse "The $name would be written over '$other'. Give it a name of its own."
+		done
+		written+=("$value")
+		parameters[i]=$name=$value
+		;;
 	font) parameters[i]=$name=$(absolute_font "$value") ;;
-	style) if [[ ${value,,} == f* || $value == 2 ]]; then colors="fc"; fi ;;
+	style)
+		is_flat=
+		if [[ ${value,,} == f* || $value == 2 ]]; then is_flat=yes; fi
+		;;
 	color) colors="fc" ;;
-	tint) if [[ $value == true || $value == 1 ]]; then colors="fc"; fi ;;
+	tint)
+		colors=
+		if [[ $value == true || $value == 1 ]]; then colors="fc"; fi
+		;;
 	esac
 done
+[ -z "$is_flat" ] || colors="fc"
 
 # ---- what can be refused before MeshLab starts
 
@@ -161,9 +180,12 @@ folder=$(dirname -- "$output")
 ending=${output##*.}
 [[ $ending =~ ^[A-Za-z0-9]+$ && $(basename -- "$output") == *.* ]] || refuse "The output '$output' has no ending that says its format. Name it .stl, .ply, .obj or .off."
 case ${ending,,} in
-stl | ply | obj | off | dae | x3d | wrl | ctm) ;;
-*)  # of some, as .3ds and .u3d, meshlabserver asks how in a window that nobody sees, and waits for ever
-	refuse "The format '$ending' cannot be written here. Name the output .stl, .ply, .obj, .off, .dae, .x3d, .wrl or .ctm."
+stl | ply | obj | off | x3d) ;;
+dae | wrl)  # meshlabserver leaves the colours of faces away
+	[ -z "$is_flat" ] || refuse "A flat label is a colour, which a .${ending,,} file would not hold. Name the output .ply or .obj."
+	;;
+*)  # of some, as .3ds and .u3d, meshlabserver asks how in a window that nobody sees, and waits for ever; .ctm moves vertices
+	refuse "The format '$ending' cannot be written here. Name the output .stl, .ply, .obj, .off, .dae, .x3d or .wrl."
 	;;
 esac
 
@@ -209,6 +231,7 @@ attributes() {
 				if (name == "texcoord") print "wt"
 			}' <<<"$head" | grep -xE 'vc|vq|vr|vt|wt|fc|fq' || true
 		;;
+	*.stl) if head -c 80 -- "$input" | grep -qa 'COLOR='; then echo fc; fi ;;
 	*.off)
 		LC_ALL=C awk '{ gsub(/#.*|\r/, "") }
 			NF == 0 { next }
@@ -242,6 +265,23 @@ if [ ! -s "$work/labelled.$ending" ] || [ $status -ne 0 ]; then
 	refuse "MeshLab ended unexpectedly (status $status, see above). Check the mesh by opening it in MeshLab; for a very large one, that there is memory enough."
 fi
 
+# Text formats have six decimals or six digits: too few for a part that is very small, or far from the origin. The report states how far a
+# contour may have moved: 20 steps of float32, of which the largest coordinate has 2^23 to 2^24.
+reported() { sed -n "s/^\(LOG: [0-9]* \)\{0,1\}Text Label: {.*\"$1\":\([^,]*\),.*/\2/p" "$work/errors" | head -n 1; }
+resolution=$(reported resolution) size=$(reported size)
+few_digits=
+case ${ending,,} in
+obj) few_digits=$(LC_ALL=C awk -v r="${resolution:-1}" 'BEGIN { if (1e-6 > r / 5) print "six decimals" }') ;;
+off | dae | x3d | wrl)
+	few_digits=$(LC_ALL=C awk -v r="${resolution:-1}" -v size="${size:-0}" 'BEGIN {
+		step = 10 ^ (int(100 + log(r / 20 * 2 ^ 23) / log(10)) - 100 - 5)
+		if (step > size / 400) print "six digits"  # coarser than curves are cut
+	}')
+	;;
+esac
+[ -z "$few_digits" ] ||
+	refuse "The label would be spoilt in '$output': .${ending,,} files are written with $few_digits, too few for this part. Name it .ply or .stl."
+
 # ---- the output appears as a whole or not at all
 
 fresh=$(mktemp -- "$folder/.textlabel-XXXXXX") || refuse "The folder of '$output' cannot be written to. Choose another one."
@@ -251,9 +291,15 @@ if [ -f "$materials" ]; then
 	name=$(basename -- "$output").mtl
 	NAME=$name awk '/^mtllib / { $0 = "mtllib ./" ENVIRON["NAME"] } { print }' "$work/labelled.$ending" >"$work/renamed"
 	mv -- "$work/renamed" "$work/labelled.$ending"
+	sed -i '/^Tr 1\.0*$/d' "$materials"  # 1 for opaque, as it once was; today's readers would show nothing
 	cp -- "$materials" "$fresh.mtl" && mv -f -- "$fresh.mtl" "$output.mtl" || refuse "'$output.mtl' could not be written. Is the disk full?"
 fi
 cp -- "$work/labelled.$ending" "$fresh" && mv -f -- "$fresh" "$output" || refuse "'$output' could not be written. Is the disk full?"
 if [ -n "$colors" ] && [ "${ending,,}" = stl ]; then
 	echo "label.sh: the letters' colour is in '$output', but few programs read colours from an STL file. Name it .ply or .obj instead." >&2
 fi
+case ${ending,,} in
+off | dae | x3d | wrl)
+	echo "label.sh: .${ending,,} files are written with six digits, fewer than the label was checked on. Name it .ply or .stl to keep all." >&2
+	;;
+esac

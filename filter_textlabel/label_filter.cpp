@@ -28,7 +28,10 @@ public:
 	LayerData(MeshModel& model, bool wantsColors, const ErrorContext& context)
 		: model_(model), context_(context), added_(wantsColors && !model.hasDataMask(MeshModel::MM_FACECOLOR))
 	{
-		if (added_) model_.updateDataMask(MeshModel::MM_FACECOLOR);
+		if (!added_) return;
+		model_.updateDataMask(MeshModel::MM_FACECOLOR);
+		if (model_.hasDataMask(MeshModel::MM_VERTCOLOR))  // the part keeps its colours beside the letters
+			vcg::tri::UpdateColor<CMeshO>::PerFaceFromVertex(model_.cm);
 	}
 	~LayerData()
 	{

@@ -84,6 +84,13 @@ double Written(Number value)
 	return number;
 }
 
+/// PyMeshLab takes each number as single precision and hands it on as double.
+[[maybe_unused]] double Written(double value)
+{
+	const auto single = static_cast<float>(value);
+	return static_cast<double>(single) == value ? Written<float>(single) : value;
+}
+
 /// A script may hold another type under our name; reading it would end the program.
 void Require(bool hasType, const Parameter& p)
 {

@@ -77,6 +77,24 @@ TEST(ErrorText, GivesTheNumbers)
 	          std::string::npos);  // when it is not known
 }
 
+// What a sentence tells to give must be allowed: figures are rounded to that side.
+TEST(ErrorText, LimitsAreRoundedToTheSideThatWorks)
+{
+	const auto numberAfter = [](const std::string& text, const std::string& words) {
+		return std::stod(text.substr(text.find(words) + words.size()));
+	};
+	for (const double limit : {1183.2156, 25.1196437, 0.1, 9.9999996, 0.00010000049, 123456.51}) {
+		const std::string most = ErrorText(RequestError(RequestProblem::OutOfRange, "fit_width").measured(5e6, limit));
+		EXPECT_LE(numberAfter(most, "at most "), limit) << most;
+		EXPECT_GE(numberAfter(most, "at most "), limit * (1 - 2e-5)) << most;
+		const std::string least = ErrorText(RequestError(RequestProblem::OutOfRange, "fit_width").measured(0, limit));
+		EXPECT_GE(numberAfter(least, "at least "), limit) << least;
+		EXPECT_LE(numberAfter(least, "at least "), limit * (1 + 2e-5)) << least;
+		const std::string steep = ErrorText(Error(ErrorCode::Grazing).measured(limit, limit / 2));
+		EXPECT_GE(numberAfter(steep, "stretched "), limit) << steep;
+	}
+}
+
 TEST(ErrorText, EveryProblemOfARequestHasItsOwn)
 {
 	std::set<std::string> texts;

@@ -270,8 +270,15 @@ works plain.ply --size 5 box.off plain.ply 'A' && ! grep -qa 'property uchar red
 works colored.ply --size 5 crlf.ply colored.ply 'A' && head -c 400 colored.ply | grep -qa 'property uchar red' ||
 	fail "colours of a PLY file with CRLF are lost"
 
+# The part that has colours keeps them: those of faces in an STL file; those of vertices become those of the faces beside the letters.
+works red.stl --style flat --color ff0000 --size 5 box.off red.stl A && works twice.stl --size 5 red.stl twice.stl B &&
+	head -c 80 twice.stl | grep -qa 'COLOR=' || fail "colours of an STL file are lost"
+works flat.obj --style flat --color 0000ff --size 5 crlf.ply flat.obj A
+grep -q '^Kd 0.03[0-9]* 0.07[0-9]* 0.11[0-9]*' flat.obj.mtl || fail "beside a flat label the colours of the vertices are lost"
+! grep -q '^Tr' flat.obj.mtl || fail "materials say that they are transparent, or are not"
+
 # What --help says can be written, can.
-for ending in ply off dae x3d wrl ctm STL; do
+for ending in ply off dae x3d wrl STL; do
 	works "out.$ending" --size 5 box.off "out.$ending" A
 	"$label" --help | grep -qE "\.${ending,,}\b" || fail "--help without .$ending"
 done
@@ -313,8 +320,15 @@ refused 1 'does not exist' box.off nowhere/out.stl A
 refused 1 'cannot be (written|made)' box.off /proc/out.stl A
 refused 1 'is a folder' box.off "$work" A
 refused 1 'output is empty' box.off '' A
+refused 1 'flat label is a colour.*\.ply' --style flat box.off out.dae A
+refused 1 'picture would be written over' --picture box.off box.off out.stl A
+refused 1 'report would be written over' --outline a.x --report a.x box.off out.stl A
+awk 'NF == 3 && NR > 2 { $1 *= 1e-5; $2 *= 1e-5; $3 *= 1e-5 } { print }' box.off >tiny.off
+refused 1 "spoilt in 'out.obj'.*six decimals.*\.stl" tiny.off out.obj A
+awk 'NF == 3 && NR > 2 { $1 = 10 * $1 + 3e6; $2 *= 10; $3 *= 10 } { print }' box.off >far.off
+refused 1 "spoilt in 'out.off'.*six digits" --size 120 --depth 30 far.off out.off A
 for ending in xyzzy 3ds u3d; do
-	refused 1 "format '$ending' cannot be written here.*\.stl, \.ply, .*\.ctm" box.off out.$ending A
+	refused 1 "format '$ending' cannot be written here.*\.stl, \.ply, .*\.wrl" box.off out.$ending A
 done
 printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' >some.obj
 refused 1 'every OBJ file.*\.ply.*python -m textlabel label' some.obj out.stl A

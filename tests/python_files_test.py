@@ -68,6 +68,35 @@ class Layers(InFolder):
         self.check(self.folder / "inch.gltf", ((100, 0, 0), (150.8, 25.4, 12.7)), one, (125, 12, 12.7))
         self.check(self.folder / "mirror.gltf", ((-40, 0, 0), (150.8, 30, 12.7)), one + 12000, (125, 12, 12.7))
 
+    def test_a_mesh_set_with_a_matrix(self):
+        for mirrored in (1, -1):
+            meshes = pymeshlab.MeshSet()
+            meshes.add_mesh(pymeshlab.Mesh(np.array(box_points(40, 30, 10), float), BOX_TRIANGLES))
+            matrix = np.diag([2.0 * mirrored, 2, 2, 1])
+            meshes.apply_filter("set_matrix", transformmatrix=matrix, freeze=False)
+            out = self.folder / "out.stl"
+            report = textlabel.label(meshes, "H", out, position=(40 * mirrored, 30, 20), **PLACE)
+            mesh = read_stl(out)
+            low, high = mesh.points.min(axis=0), mesh.points.max(axis=0)
+            np.testing.assert_allclose([low, high], [(min(0, 80 * mirrored), 0, 0), (max(0, 80 * mirrored), 60, 21)], atol=1e-4)
+            self.assertAlmostEqual(volume(mesh), 96000 + report["label_area"], delta=1)
+            self.assertEqual(len(meshes), 1)  # and that one as it was, but for the label
+            np.testing.assert_array_equal(meshes.current_mesh().transform_matrix(), matrix)
+            self.assertAlmostEqual(meshes.current_mesh().vertex_matrix()[:, 0].max(), 40)
+
+    def test_inches(self):
+        write_3mf(self.folder / "inch.3mf", [(box_points(4, 3, 1), "1 0 0 0 1 0 0 0 1 0 0 0")], unit="inch")
+        with self.assertRaisesRegex(textlabel.LabelError, "unit inch.*millimetres"):
+            textlabel.label(self.folder / "inch.3mf", "A4", self.folder / "out.stl")
+
+    def test_a_part_keeps_the_colours_of_its_vertices(self):
+        meshes = pymeshlab.MeshSet()
+        green = np.tile([0.0, 1, 0, 1], (8, 1))
+        meshes.add_mesh(pymeshlab.Mesh(np.array(box_points(40, 30, 10), float), BOX_TRIANGLES, v_color_matrix=green))
+        textlabel.label(meshes, "H", style="Flat", color="0000ff")
+        colors = {tuple(color) for color in meshes.current_mesh().face_color_matrix()}
+        self.assertEqual(colors, {(0, 1, 0, 1), (0, 0, 1, 1)})
+
     def test_an_object_without_colours_beside_one_that_has_some(self):
         meshes = pymeshlab.MeshSet()
         red = np.tile([1.0, 0, 0, 1], (12, 1))
@@ -149,6 +178,23 @@ class Saves(InFolder):
             inside = volume(Mesh(mesh.vertex_matrix() - 5e6, mesh.face_matrix()))
             self.assertAlmostEqual(inside, 48000 + report["label_area"], delta=0.01)
         self.assertTrue(textlabel.label(MESHES / "bracket.stl", "A4", self.folder / "near.stl")["survives_float32"])
+
+    def test_formats_that_hold_less(self):
+        meshes = pymeshlab.MeshSet()
+        meshes.add_mesh(pymeshlab.Mesh(np.array(box_points(60, 40, 20), float) * 1e-5, BOX_TRIANGLES))
+        tiny = self.folder / "tiny.ply"
+        meshes.save_current_mesh(str(tiny))
+        self.refused(tiny, "tiny.3mf", "so few digits", ".stl")
+        self.refused(MESHES / "bracket.stl", "bracket.ctm", "so few digits", ".stl")
+        textlabel.label(tiny, "A4", self.folder / "tiny.stl")
+        textlabel.label(MESHES / "bracket.stl", "A4", self.folder / "bracket.3mf")
+        with self.assertRaisesRegex(textlabel.LabelError, "a flat label is a colour"):
+            textlabel.label(MESHES / "bracket.stl", "A4", self.folder / "flat.3mf", style="Flat")
+        self.assertFalse((self.folder / "flat.3mf").exists())
+
+    def test_numbers_are_those_that_were_written(self):
+        report = textlabel.label(MESHES / "bracket.stl", "A4", self.folder / "out.stl", size=9.1, depth=0.3)
+        self.assertEqual((report["size"], report["depth"]), (9.1, 0.3))
 
     def test_textures_come_along(self):
         part = write_textured_box(self.folder / "part", "pictures/skin.png")

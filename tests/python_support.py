@@ -139,7 +139,7 @@ def write_gltf(path, objects):
     path.write_text(json.dumps(content))
 
 
-def write_3mf(path, objects):
+def write_3mf(path, objects, unit="millimeter"):
     """One item for each object: its points and a matrix as 3MF has it, 12 numbers."""
     namespace = "http://schemas.openxmlformats.org/package/2006"
     model = "http://schemas.microsoft.com/3dmanufacturing"
@@ -164,7 +164,7 @@ def write_3mf(path, objects):
         )
         package.writestr(
             "3D/3dmodel.model",
-            f'<?xml version="1.0" encoding="UTF-8"?><model unit="millimeter" xml:lang="en-US" '
+            f'<?xml version="1.0" encoding="UTF-8"?><model unit="{unit}" xml:lang="en-US" '
             f'xmlns="{model}/core/2015/02"><resources>{resources}</resources><build>{items}</build></model>',
         )
 

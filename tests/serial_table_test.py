@@ -149,6 +149,12 @@ class Tables(InFolder):
             with self.subTest(name), self.assertRaises(tasks.UsageError) as caught:
                 tasks.make_tasks(self.read("text\n" + text), self.plan(name=Template(name)), self.folder)
             self.assertIn("same file", str(caught.exception))
+            self.assertIn("{n:04}", str(caught.exception))
+        rows = self.read("text,picture\nA1,a.png\nA2,b.png\n")
+        self.assertEqual(len(tasks.make_tasks(rows, self.plan(), self.folder)[0]), 2)
+        with self.assertRaises(tasks.UsageError) as caught:
+            tasks.make_tasks(rows, self.plan(settings={"report": "r.json"}), self.folder)
+        self.assertIn("same report, 'r.json'", str(caught.exception))
 
     def test_names_that_leave_the_folder(self):
         for name in ("../{text}", "/tmp/{text}", "a//{text}", ".{text}", "a/../{text}"):

@@ -383,6 +383,22 @@ TEST(Refusal, NoStretchOnAPlaneThatIsParallel)
 	EXPECT_NEAR(LabelMesh(m, Letters({Rectangle(20, -1, 24, 1)}), frame, options).stretch, 1, 1e-9);
 }
 
+// Two slopes, the steeper one behind the other in the order of the faces: what is told is what max_stretch must allow.
+TEST(Refusal, SteepestOfSeveralPlanes)
+{
+	const Shape roof = test_mesh::Slab(20, 20, 200, 4, 4).moved([](const Point3d& p) {
+		return p + Point3d(0, 0, p[0] < 0 ? 10 * p[0] : 20 * p[0]);
+	});
+	const Error e = Refused(roof, ThreeLetters());
+	EXPECT_CODE(e, Grazing);
+	EXPECT_NEAR(e.value, std::sqrt(401.0), 1e-4);
+	FloatMesh m;
+	test_mesh::Fill(m, roof);
+	LabelOptions options;
+	options.maxStretch = e.value;
+	EXPECT_EQ(LabelMesh(m, ThreeLetters(), FromAbove(), options).stretch, e.value);
+}
+
 TEST(Refusal, SteepPlane)
 {
 	const Shape steep =

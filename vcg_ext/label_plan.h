@@ -308,6 +308,7 @@ inline void LabelPlanner::measureSurface(LabelPlan& plan) const
 	for (const int t : plan.cut.within) isParent[size_t(t)] = 1;
 	for (const CutTriangle& t : plan.cut.triangles)
 		if (t.side == Side::Inside) isParent[size_t(t.parent)] = 1;
+	Error steepest(ErrorCode::Grazing, "the surface is steep to the view");
 	for (size_t t = 0; t < isParent.size(); ++t) {
 		if (!isParent[t]) continue;
 		const auto& v = sheet_.triangles[t].vertex;
@@ -318,13 +319,13 @@ inline void LabelPlanner::measureSurface(LabelPlan& plan) const
 			std::sqrt(std::max({(b - a).SquaredNorm(), (c - b).SquaredNorm(), (a - c).SquaredNorm()}));
 		if (normal.Norm() <= 2 * snap_ * longest) continue;  // thinner than the resolution: its normal says nothing
 		const double stretch = StretchOf(space_, middle, normal);
-		plan.stretch = std::max(plan.stretch, stretch);
-		if (!(stretch <= options_.maxStretch))
-			throw Error(ErrorCode::Grazing, "the surface is steep to the view")
-				.atFace(sheet_.triangles[t].face)
+		if (stretch > std::max(plan.stretch, options_.maxStretch))
+			steepest.atFace(sheet_.triangles[t].face)
 				.atPlace(space_.toMesh(middle))
 				.measured(stretch, options_.maxStretch);
+		plan.stretch = std::max(plan.stretch, stretch);
 	}
+	if (steepest.hasPlace) throw steepest;
 	for (const IndexTriangle& t : detail::InsideTriangles(sheet_, plan.cut)) {
 		const vcg::Point3d& a = plan.cut.points.at(sheet_, t[0]).label;
 		plan.surfaceArea +=

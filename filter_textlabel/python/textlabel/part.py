@@ -10,10 +10,14 @@ import numpy as np
 import pymeshlab
 
 from . import files
-from .plugin import FILTER, LabelError, check_values, load_plugin
+from .plugin import CHOICES, FILTER, LabelError, check_values, load_plugin
 
+FLAT = CHOICES["style"].index("Flat")
 NO_TEXTURE = "dummy.png"  # what MeshLab calls the picture in place of a texture that it cannot load
 WITH_DOUBLES = (".ply", ".obj", ".off")  # endings of files that keep double precision
+WITH_SINGLES = (*WITH_DOUBLES, ".stl")  # all that a label is checked for
+WITH_FACE_COLORS = (".ply", ".obj", ".off", ".stl")  # endings: in other formats this MeshLab leaves them away
+SAVED_DIGITS = 6  # that others keep: significant ones, or decimals (.3mf)
 WITH_TEXTURES_INSIDE = (".glb", ".gltf", ".3mf")  # endings: a file of a texture's name need not be that texture
 
 
@@ -30,10 +34,10 @@ def label(mesh, text, output=None, **parameters):
     if isinstance(mesh, pymeshlab.MeshSet):
         if output is not None and _takes_textures(output):
             _refuse_far_textures(mesh, "the mesh")
-        report = _apply(mesh, text, parameters)
+        report = _apply(mesh, text, parameters, output)
         if output is not None:
-            _refuse_lost_precision(report, output)
-            _save(mesh, output)
+            _refuse_lost_precision(mesh, report, output)
+            _save_in_place(mesh, output)
         return report
     if output is None:
         raise LabelError("Labelling a file needs an output: the file to write.")
@@ -49,6 +53,7 @@ class Part:
         Raises LabelError when the file cannot be read as a mesh with faces."""
         load_plugin()
         self.path = os.fspath(path)
+        files.refuse_other_unit(self.path)
         self._folder = os.path.dirname(os.path.abspath(self.path))
         self._set = pymeshlab.MeshSet()
         try:
@@ -72,8 +77,8 @@ class Part:
         untouched = self._textures_beside(output)
         self._set.apply_filter("generate_copy_of_current_mesh")
         try:
-            report = _apply(self._set, text, parameters)
-            _refuse_lost_precision(report, output)
+            report = _apply(self._set, text, parameters, output)
+            _refuse_lost_precision(self._set, report, output)
             _save(self._set, output, untouched)
         finally:
             self._set.delete_current_mesh()
@@ -103,13 +108,8 @@ class Part:
 def _unite_layers(mesh_set):
     """Make the layers of a file one, in the file's coordinates: only one is labelled, and saved without its matrix."""
     for layer in mesh_set:
-        matrix = layer.transform_matrix()
-        if np.array_equal(matrix, np.eye(4)):
-            continue
         mesh_set.set_current_mesh(layer.id())
-        mesh_set.apply_filter("apply_matrix_freeze")
-        if np.linalg.det(matrix) < 0:  # a mirror image is inside out
-            mesh_set.apply_filter("meshing_invert_face_orientation", forceflip=True)
+        _freeze_matrix(mesh_set)
     colored = [layer.has_face_color() for layer in mesh_set]
     for layer, has_colors in zip(mesh_set, colored):
         if any(colored) and not has_colors:  # merged as it is, its faces would have any colours
@@ -125,6 +125,35 @@ def _unite_layers(mesh_set):
         )
 
 
+def _has_matrix(mesh_set):
+    return not np.array_equal(mesh_set.current_mesh().transform_matrix(), np.eye(4))
+
+
+def _freeze_matrix(mesh_set):
+    """Put the current mesh where its matrix shows it: files are written without it."""
+    mirrors = np.linalg.det(mesh_set.current_mesh().transform_matrix()) < 0
+    if not _has_matrix(mesh_set):
+        return
+    mesh_set.apply_filter("apply_matrix_freeze")
+    if mirrors:  # a mirror image is inside out
+        mesh_set.apply_filter("meshing_invert_face_orientation", forceflip=True)
+
+
+def _save_in_place(mesh_set, output):
+    """Write the caller's current mesh as its matrix shows it, and leave it as it is."""
+    if not _has_matrix(mesh_set):
+        _save(mesh_set, output)
+        return
+    original = mesh_set.current_mesh_id()
+    mesh_set.apply_filter("generate_copy_of_current_mesh")
+    try:
+        _freeze_matrix(mesh_set)
+        _save(mesh_set, output)
+    finally:
+        mesh_set.delete_current_mesh()
+        mesh_set.set_current_mesh(original)
+
+
 def _color_faces(mesh_set):
     """Give the current mesh's faces the colours of their vertices, or white when it has none at all."""
     if mesh_set.current_mesh().has_vertex_color():
@@ -133,9 +162,14 @@ def _color_faces(mesh_set):
         mesh_set.apply_filter("compute_color_by_function_per_face", r="255", g="255", b="255", a="255")
 
 
-def _apply(mesh_set, text, parameters):
+def _apply(mesh_set, text, parameters, output):
     load_plugin()
     values = check_values({**parameters, "text": text})
+    if output is not None and values.get("style") == FLAT and not os.fspath(output).lower().endswith(WITH_FACE_COLORS):
+        raise LabelError(
+            f"'{output}' cannot be written: a flat label is a colour, which its format is saved without. "
+            "Write a .ply, .obj or .off file, or choose another style."
+        )
     try:
         report = mesh_set.apply_filter(FILTER, **values)
     except Exception as error:  # PyMeshLab has several kinds, without a common base
@@ -161,12 +195,26 @@ def _takes_textures(output):
     return not os.fspath(output).lower().endswith((".stl", ".off"))
 
 
-def _refuse_lost_precision(report, output):
-    """Far from the origin letters can be finer than what single precision keeps apart."""
-    if not report["survives_float32"] and not os.fspath(output).lower().endswith(WITH_DOUBLES):
+def _refuse_lost_precision(mesh_set, report, output):
+    """Letters can be finer than what a format keeps apart: far from the origin, very small, or in a format of few digits."""
+    ending = os.path.splitext(os.fspath(output))[1].lower()
+    if not report["survives_float32"] and ending not in WITH_DOUBLES:
         raise LabelError(
-            f"'{output}' cannot be written: its format has single precision, which would spoil the letters so far from the origin. "
+            f"'{output}' cannot be written: its format has single precision, which would spoil letters so fine. "
             "Write a .ply, .obj or .off file, make the text larger and deeper, or move the part nearer to the origin."
+        )
+    if ending in WITH_SINGLES:
+        return
+    if ending == ".3mf":
+        step, least = 10.0**-SAVED_DIGITS, report["resolution"] / 5  # four steps of float32
+    else:
+        corners = mesh_set.current_mesh().bounding_box()
+        largest = max(np.abs(corners.min()).max(), np.abs(corners.max()).max())
+        step, least = 10.0 ** (np.floor(np.log10(largest)) + 1 - SAVED_DIGITS), report["size"] / 400  # as curves are cut
+    if ending == ".ctm" or step > least:
+        raise LabelError(
+            f"'{output}' cannot be written: its format is saved with so few digits (steps of {step:g} here) that the label could be "
+            "spoilt. Write a .ply, .obj, .off or .stl file."
         )
 
 

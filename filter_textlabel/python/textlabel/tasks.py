@@ -10,6 +10,7 @@ from . import plugin
 from .template import Template, TemplateError, file_part
 
 OWN_COLUMNS = ("part", "text", "n")
+WRITTEN = ("report", "picture", "outline")  # parameters: files that a row writes beside its mesh
 LONGEST_NAME = 240  # bytes; most file systems take 255, and .mtl is put behind it
 
 
@@ -185,7 +186,7 @@ def _file_name(part, text, fields, plan):
 
 
 def _refuse_duplicates(tasks):
-    serials, files = {}, {}
+    serials, files, written = {}, {}, {}
     for task in tasks:
         key = (os.path.realpath(task.part), serial_of(task.text))
         if key in serials:
@@ -195,9 +196,16 @@ def _refuse_duplicates(tasks):
                 "Nothing was started; make the serials unique."
             )
         serials[key] = task
+        for name in WRITTEN:
+            path = task.settings.get(name)
+            if path and (first := written.setdefault(path, task)) is not task:
+                raise UsageError(
+                    f"Rows {first.row} and {task.row} would write the same {name}, '{path}'. "
+                    f"Nothing was started; give each row its own in a column '{name}'."
+                )
         other = files.setdefault(task.file.casefold(), task)  # some file systems do not tell A from a
         if other is not task:
             raise UsageError(
                 f"Rows {other.row} and {task.row} would write the same file '{task.file}'. "
-                "Nothing was started; use more fields in --name, as '{part}-{text}'."
+                "Nothing was started; use more fields in --name, as '{part}-{n:04}', the number of the row."
             )
