@@ -91,6 +91,30 @@ TEST(Cancel, AtEveryReportOfAnyLabel)
 	EXPECT_GT(shifted, 0) << "the seeds have lost their purpose";
 }
 
+// A refusal says how high the letters may rise; what they meet there is seen beside them, and so looked for once more. That can be
+// stopped as well.
+TEST(Cancel, WhileTheHeightThatFitsIsLookedFor)
+{
+	const test_mesh::Shape hovering =
+		test_mesh::Box(1, 1, 0.5).moved([](const vcg::Point3d& p) { return p + vcg::Point3d(8, 0, 7.5); });
+	const test_mesh::Shape both = test_mesh::Slab(30, 20, 4, 15, 10).joined(hovering);
+	LabelCase c;
+	for (const vcg::Point3d& p : both.points) c.mesh.add(p);
+	c.mesh.faces = both.faces;
+	c.outline.contours.push_back({{{6, -2}, {8, -2}, {8, 2}, {6, 2}}, 0, 0});
+	c.outline.partCount = 1;
+	c.frame.perspective = true;
+	c.frame.center = {0, 0, 10};
+	c.height = 8;
+	for (const ExtrudeAlong along : {ExtrudeAlong::LabelNormal, ExtrudeAlong::SurfaceNormal}) {
+		c.along = along;
+		const Outcome whole = CancelEverywhere<vcg::textlabel::test::detail::FloatMesh>(c);
+		EXPECT_FALSE(whole.isMade);
+		EXPECT_EQ(int(whole.code), int(ErrorCode::HitsSurface));
+		EXPECT_GT(whole.reports.size(), 12u) << "one for each height that is tried";
+	}
+}
+
 // The filter as a host runs it, with the size left to it: the stop ends all attempts, not one.
 TEST(Cancel, TheFilterAtEveryReport)
 {

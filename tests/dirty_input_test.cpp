@@ -281,6 +281,8 @@ void Decide(FloatMesh& m, double height, const Code& expected)
 		EXPECT_EQ("made", InWords(expected));
 		ExpectNoWorse(before, m, result);
 		EXPECT_NEAR(result.addedVolume, Area(Letters()) * height, 1e-4);
+		EXPECT_NEAR(result.surfaceArea, Area(Letters()), 1e-4);
+		EXPECT_NEAR(result.stretch, 1, 1e-6);
 	} catch (const Error& e) {
 		EXPECT_EQ(InWords(e.code), InWords(expected)) << e.what();
 		EXPECT_TRUE(test_mesh::Bytes(m) == bytes) << "refused, and changed";
@@ -351,6 +353,7 @@ TEST(DirtyInput, ARowOfCapsUnderOneLetter)
 		const LabelResult result = LabelMesh(m, bar, FromAbove(), options);
 		EXPECT_EQ(result.attempts, 1) << cells;
 		EXPECT_NEAR(result.addedVolume, Area(bar) * 0.3, 1e-4 * Area(bar));
+		EXPECT_NEAR(result.surfaceArea, Area(bar), 1e-4 * Area(bar));
 		const MeshReport report = MakeReport(m, {true, true});
 		EXPECT_EQ(report.nonManifoldEdges + report.flippedEdges + report.duplicateFaces, 0) << cells;
 		EXPECT_EQ(report.genus, 0) << cells;
@@ -370,6 +373,22 @@ TEST(DirtyInput, ARowOfCapsOnAnotherSurfaceIsLeftAlone)
 		LabelMesh(m, label_check::Letters({Rectangle(-16.03, -5.02, 16.01, 6.03)}), FromAbove(), options);
 		for (size_t f = upper.faces.size(); f < both.faces.size(); ++f)
 			for (int k = 0; k < 3; ++k) EXPECT_EQ(m.face[f].cV(k) - m.vert.data(), both.faces[f][size_t(k)]) << f;
+	}
+}
+
+// A cap lower than the coordinates' resolution may stand as steep as it likes: which way it faces says nothing.
+TEST(DirtyInput, ACapThatStandsUprightIsNotSteep)
+{
+	for (const double up : {1e-6, 2e-6, 3e-6}) {
+		Shape s = Collinear(Plate(), kUnder);
+		s.points.back() += Point3d(0, 1e-7, up);
+		for (const double height : {kDepth, -kDepth, 0.0}) {
+			FloatMesh m;
+			test_mesh::Fill(m, s);
+			LabelOptions options;
+			options.height = height;
+			EXPECT_NO_THROW(LabelMesh(m, Letters(), FromAbove(), options)) << up << ' ' << height;
+		}
 	}
 }
 

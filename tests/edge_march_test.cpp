@@ -170,13 +170,45 @@ TEST(March, SnapsToVerticesNearby)
 	EXPECT_EQ(vertices(10 * kSnap), 0);
 }
 
-// A spike thinner than the resolution is no part of the letter.
+// A point of the contour that is within snap of an edge, there within snap of its end, is the vertex: whatever the edges' angle.
+TEST(March, StartsOnNoEdgeWithinSnapOfItsEnd)
+{
+	for (const int sides : {3, 4, 5, 7, 12})
+		for (int i = 0; i < 200; ++i) {
+			const Sheet sheet = CandidatesOf(test_mesh::Fan(sides, 10, 4), LabelSpace(FromAbove()), 20, 20);
+			const double angle = 0.37 * i, distance = (0.9 + 0.003 * i) * kSnap;
+			const Point2d corner(distance * std::cos(angle), distance * std::sin(angle));
+			const SheetPath path = March(sheet, {corner, {3.1, -0.3}, {1.7, 2.9}});
+			const PathNode& n = path.nodes.front();
+			if (n.kind == PathNode::OnEdge) { EXPECT_GT(n.plane.Norm(), kSnap) << sides << " sides, point " << i; }
+		}
+}
+
+// Two vertices in a row, both neighbours of the one where the march stands, and all within snap of its line.
+TEST(March, GoesThroughTheNearerOfTwoVerticesInARow)
+{
+	Shape s;
+	const int a = s.add({0, 0, 0}), near = s.add({1, 0.5 * kSnap, 0}), far = s.add({2, 0, 0}), low = s.add({1, -3, 0}),
+			  high = s.add({1, 3, 0}), left = s.add({-3, 0, 0}), right = s.add({5, 0, 0});
+	s.faces = {{a, far, near}, {a, near, high}, {near, far, high}, {a, low, far},
+	           {left, low, a}, {left, a, high}, {low, right, far}, {far, right, high}};
+	const Sheet sheet = CandidatesOf(s, LabelSpace(FromAbove()), 20, 20);
+	const SheetPath path = March(sheet, {{0, 0}, {5, 0}, {1, 1}});
+	EXPECT_TRUE(std::any_of(path.nodes.begin(), path.nodes.end(), [&](const PathNode& n) {
+		return n.kind == PathNode::OnVertex && sheet.vertices[size_t(n.where)].index == near;
+	}));
+}
+
+// A spike thinner than the resolution is no part of the letter, wherever the contour starts.
 TEST(March, DropsSpikes)
 {
 	const Sheet sheet = CandidatesOf(Grid(), LabelSpace(FromAbove()), 20, 20);
-	const std::vector<Point2d> plain = Rectangle(-4, -4, 4, 4),
-							   spiked = {{-4, -4}, {4, -4}, {4, 0}, {8, 0}, {4, 0.2 * kSnap}, {4, 4}, {-4, 4}};
-	EXPECT_EQ(March(sheet, spiked).nodes.size(), March(sheet, plain).nodes.size());
+	const std::vector<Point2d> plain = Rectangle(-4, -4, 4, 4);
+	std::vector<Point2d> spiked = {{-4, -4}, {4, -4}, {4, 0}, {8, 0}, {4, 0.2 * kSnap}, {4, 4}, {-4, 4}};
+	for (size_t first = 0; first < spiked.size(); ++first) {
+		EXPECT_EQ(March(sheet, spiked).nodes.size(), March(sheet, plain).nodes.size()) << first;
+		std::rotate(spiked.begin(), spiked.begin() + 1, spiked.end());
+	}
 }
 
 TEST(March, NamesThePlaceWhereItLeaves)
@@ -189,6 +221,19 @@ TEST(March, NamesThePlaceWhereItLeaves)
 		EXPECT_EQ(e.code, ErrorCode::Border);
 		ASSERT_TRUE(e.hasPlace);
 		EXPECT_NEAR((e.place - Point3d(10, -1, 0)).Norm(), 0, 1e-9);
+	}
+}
+
+// Once around the axis of a spiral staircase the contour arrives a storey above its start: finer coordinates would not help.
+TEST(March, SaysThatTheSheetLiesOverItselfWhereAContourEndsOnAnotherStorey)
+{
+	const Sheet sheet = CandidatesOf(test_mesh::Helicoid(4, 20, 3, 2.5, 120, 8), LabelSpace(FromAbove()), 40, 40);
+	const std::vector<Point2d> around = RegularPolygon(0, 0, 15, 60, 0.4);
+	try {
+		March(sheet, around);
+		FAIL() << "it does not close";
+	} catch (const PlacementConflict& e) {
+		EXPECT_EQ(int(e.code), int(ErrorCode::Occluded)) << e.why;
 	}
 }
 

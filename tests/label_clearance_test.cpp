@@ -66,4 +66,41 @@ TEST(Clearance, NamesWhatIsInFront)
 	EXPECT_NEAR(RoomOf(CutExample(with(4.26), letter, FromAbove())).behind, 4, 1e-9) << "beside the letter, too";
 }
 
+// A surface that cuts through that of the letters hides them where it is in front, though another part of it is behind.
+TEST(Clearance, NamesWhatIsInFrontInPart)
+{
+	const Shape box = test_mesh::Box(80, 80, 4).moved([](const Point3d& p) { return p - Point3d(0, 15, 0); });
+	for (const double front : {2.0, 3.0, 5.0}) {  // at x = 10; at x = -10 it is behind by 1
+		Shape both = box;
+		const double tip = -1 + (front + 1) * 2;
+		both.faces.push_back({both.add({-10, -15, -1}), both.add({30, 0, tip}), both.add({-10, 15, -1})});
+		try {
+			RoomOf(CutExample(both, Letters({Rectangle(-9, -1, 9, 1)}), FromAbove()));
+			ADD_FAILURE() << "it is in front of most of the letter";
+		} catch (const Error& e) {
+			EXPECT_EQ(e.code, ErrorCode::Occluded);
+			EXPECT_EQ(e.face, int(box.faces.size()));
+		}
+	}
+}
+
+// What is no further apart than the resolution is in one place.
+TEST(Clearance, TellsSurfacesApartByTheResolution)
+{
+	const auto behind = [](double gap) {
+		const Shape sheet = test_mesh::Sheet(4, 4, [](int i, int j) { return Point3d(10 * (i - 2), 10 * (j - 2), 0); });
+		return RoomOf(CutExample(sheet.joined(sheet.moved([=](const Point3d& p) { return p - Point3d(0, 0, gap); })),
+		                         ThreeLetters(), FromAbove()));
+	};
+	for (const double gap : {0.0, 0.5e-6}) {
+		try {
+			behind(gap);
+			ADD_FAILURE() << gap;
+		} catch (const Error& e) {
+			EXPECT_EQ(e.code, ErrorCode::Occluded);
+		}
+	}
+	EXPECT_NEAR(behind(2e-6).behind, 2e-6, 1e-12);
+}
+
 }  // namespace

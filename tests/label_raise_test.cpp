@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 #include <map>
+#include <random>
 
 #include "label_check.h"
 
@@ -126,6 +127,24 @@ TEST(Raise, KeepsTheBorderOfThePatch)
 		EXPECT_EQ(patch.moved.empty(), h == 0);
 		EXPECT_TRUE(std::is_sorted(patch.removed.begin(), patch.removed.end()));
 	}
+}
+
+// Raised along the normals of a rough plane, tops lean less from its axis than facets do.
+TEST(Raise, NormalsOfARoughSurfaceSettle)
+{
+	std::mt19937 random(3);
+	std::uniform_real_distribution<double> noise(-0.1, 0.1);
+	const Shape rough = test_mesh::Slab(40, 30, 4, 40, 30).moved([&](const Point3d& p) {
+		return p[2] == 0 ? p + Point3d(0, 0, noise(random)) : p;
+	});
+	const CutExample e(rough, ThreeLetters(), FromAbove());
+	double most = 0;
+	EachRaised(e, RaiseLabel(e.space, e.sheet, e.cut, 1, ExtrudeAlong::SurfaceNormal),
+	           [&](const Point3d& base, const Point3d& top) {
+				   most = std::max(most, std::hypot(top[0] - base[0], top[1] - base[1]));
+			   });
+	EXPECT_LT(most, 0.1);
+	RecordProperty("most", std::to_string(most));
 }
 
 }  // namespace

@@ -133,6 +133,36 @@ TEST(PlaneGrid, FindsWhatMeetsInAStripBesideTheBox)
 	}
 }
 
+// Tips that meet on the border between two rows of cells, or a rounding beside it: no row may lose either of them.
+TEST(PlaneGrid, FindsTipsThatMeetOnTheBorderOfACell)
+{
+	constexpr int cells = 19;  // along a side: of 400 triangles
+	for (const double size : {7.3, 1.1, 0.37, 113.7})
+		for (const double low : {-3.1, 0.7, 1e3}) {
+			std::vector<PlaneTriangle> below, above;
+			for (int row = 3; row + 3 < cells; ++row) {
+				double y = low + size * row / cells;
+				for (int n = 0; n < 4; ++n) y = std::nextafter(y, -1e9);
+				for (int n = -4; n <= 4; ++n, y = std::nextafter(y, 1e9)) {
+					const vcg::Point2d tip(low + size * 0.49, y);
+					const double wide = size * 0.2, high = size * 0.15;
+					below.push_back({tip, tip + vcg::Point2d(-wide, -high), tip + vcg::Point2d(wide, -high)});
+					above.push_back({tip, tip + vcg::Point2d(wide, high), tip + vcg::Point2d(-wide, high)});
+				}
+			}
+			const size_t count = below.size();
+			below.push_back({vcg::Point2d(low, low), vcg::Point2d(low + size, low), vcg::Point2d(low, low + size)});
+			below.push_back({vcg::Point2d(low + size, low + size), below.back()[1], below.back()[2]});
+			while (below.size() < (cells + 1) * (cells + 1)) below.push_back({below[0][0], below[0][0], below[0][0]});
+			PlaneGrid grid(below);
+			for (size_t i = 0; i < count; ++i) {
+				bool isFound = false;
+				grid.query(above[i], 0, [&](int k) { isFound = isFound || k == int(i); });
+				EXPECT_TRUE(isFound) << "size " << size << " low " << low << " at " << above[i][0][1];
+			}
+		}
+}
+
 TEST(PlaneGrid, HoldsTrianglesThatAllMeet)
 {
 	constexpr size_t count = 60000;  // each in half of 244 x 244 cells: more than an int counts

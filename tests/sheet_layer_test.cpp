@@ -59,4 +59,13 @@ TEST(Layer, AnotherShellBelowIsNoMember)
 	EXPECT_EQ(l.members(), Layered(upper, 8, 6).members());
 }
 
+// Where it is not single it is of no account which triangles were reached.
+TEST(Layer, HasNoMembersUnlessItIsSingle)
+{
+	const Layered l(test_mesh::Slab(30, 20, 4, 15, 10), 16, 6);
+	ASSERT_FALSE(l.layer.isSingle);
+	EXPECT_GT(l.members(), 0);
+	for (int t = 0; t < int(l.sheet.triangles.size()); ++t) EXPECT_FALSE(l.layer.has(t));
+}
+
 }  // namespace

@@ -90,4 +90,18 @@ TEST(SeenAt, IsOnTheNearestOfSeveralSurfaces)
 	}
 }
 
+// Of two plates one over the other it is the upper one, whichever of them the mesh has first.
+TEST(SeenAt, IsOnTheNearestOfTwoPartsInEitherOrder)
+{
+	const Shape upper = test_mesh::Box(20, 10, 2),
+				lower = upper.moved([](const Point3d&p) { return p - Point3d(0, 0, 5); });
+	for (const Shape& both : {upper.joined(lower), lower.joined(upper)})
+		for (const LabelFrame& frame : {FromAbove(), FromAbovePerspective(30)}) {
+			const LabelSpace space(frame);
+			const Sheet sheet = CandidatesOf(both, space, 50, 50);
+			const Point3d seen(3, 2, 0);
+			EXPECT_LE((SeenAt(space, sheet, space.project(seen)) - seen).Norm(), 1e-12);
+		}
+}
+
 }  // namespace

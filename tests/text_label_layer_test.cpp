@@ -154,6 +154,125 @@ TEST(Layer, DoublesCarryThinWallsThatFloatsCannot)
 	EXPECT_TRUE(made(8, -error.limit, error)) << error.limit;
 }
 
+// Two vertices of the part that float32 takes for one: no label on them survives it, even if the letters are far from them.
+TEST(Layer, APartFinerThanFloatsDoesNotSurviveThem)
+{
+	for (const double strip : {1.0, 1e-9}) {
+		const Shape part = test_mesh::Slab(30, 20, 4, 15, 10).moved([&](const Point3d& p) {
+			return std::abs(p[0] - 1) < 0.1 ? Point3d(-1 + strip, p[1], p[2]) : p;
+		});
+		test_mesh::DoubleMesh m;
+		test_mesh::Fill(m, part.moved([](const Point3d& p) { return p + Point3d(100, 0, 0); }));
+		LabelFrame frame;
+		frame.origin = {100, 0, 0};
+		LabelOptions options;
+		options.height = 0.5;
+		const LabelResult result =
+			LabelMesh(m, Letters({Rectangle(-6, -2, -4, 2), Rectangle(4, -2, 6, 2)}), frame, options);
+		EXPECT_EQ(result.survivesFloat32, strip == 1);
+	}
+}
+
+// A plate a step of float32 above another one: the same place to floats, two surfaces to doubles.
+TEST(Layer, DoublesTellSurfacesApartThatFloatsCannot)
+{
+	const Shape plate = Part();
+	const Shape both = plate.joined(plate.moved([](const Point3d& p) { return p - Point3d(0, 0, 4 + 1e-6); }));
+	for (const double height : {0.75, -0.75}) {
+		test_mesh::DoubleMesh m;
+		test_mesh::Fill(m, both.moved([](const Point3d& p) { return Point3d(p[0], p[1], p[2] * 1e-6 / 4); }));
+		LabelOptions options;
+		options.height = height * 1e-6;
+		const LabelResult result = LabelMesh(m, ThreeLetters(), FromAbove(), options);
+		EXPECT_FALSE(result.survivesFloat32);
+		EXPECT_TRUE(IsSound(MakeReport(m))) << ToText(MakeReport(m));
+	}
+}
+
+// A depth finer than float32 has steps is a depth to doubles.
+TEST(Layer, DoublesCarryADepthThatFloatsCannot)
+{
+	const Shape high = Part().moved([](const Point3d& p) { return p + Point3d(0, 0, 100); });
+	LabelFrame frame;
+	frame.origin = {0, 0, 100};
+	LabelOptions options;
+	options.height = 1e-6;
+	test_mesh::DoubleMesh m;
+	test_mesh::Fill(m, high);
+	const LabelResult result = LabelMesh(m, ThreeLetters(), frame, options);
+	EXPECT_FALSE(result.survivesFloat32);
+	EXPECT_NEAR(result.addedVolume, Area(ThreeLetters()) * 1e-6, 1e-10);
+	EXPECT_TRUE(IsSound(MakeReport(m))) << ToText(MakeReport(m));
+}
+
+// The depth that a refusal names is one that the file keeps, too, where there is such a depth.
+TEST(Layer, TheDepthThatIsToldSurvivesFloat32)
+{
+	const Shape thin =
+		test_mesh::Slab(30, 20, 1.25, 15, 10).moved([](const Point3d& p) { return p + Point3d(4000, 4000, 0); });
+	LabelFrame frame;
+	frame.origin = {4000, 4000, 0};
+	for (const ExtrudeAlong along : {ExtrudeAlong::Viewpoint, ExtrudeAlong::SurfaceNormal}) {
+		LabelOptions options;
+		options.height = -1.5;
+		options.along = along;
+		test_mesh::DoubleMesh m;
+		test_mesh::Fill(m, thin);
+		Error error(ErrorCode::Cancelled);
+		Refusal(m, ThreeLetters(), frame, options, &error);
+		EXPECT_EQ(error.code, ErrorCode::HitsSurface);
+		options.height = -error.limit;
+		EXPECT_TRUE(LabelMesh(m, ThreeLetters(), frame, options).survivesFloat32) << error.limit;
+	}
+	// a depth between that and the wall's thickness is made all the same, by doubles alone
+	LabelOptions options;
+	options.height = -1.2495;
+	test_mesh::DoubleMesh m;
+	test_mesh::Fill(m, thin);
+	EXPECT_FALSE(LabelMesh(m, ThreeLetters(), frame, options).survivesFloat32);
+	EXPECT_TRUE(IsSound(MakeReport(m))) << ToText(MakeReport(m));
+}
+
+// In a groove, tops raised along the normals all but meet in the axis: by less than float32 has steps there.
+TEST(Layer, DoublesCarryTopsThatAllButMeet)
+{
+	const Shape groove =
+		test_mesh::Thickened(test_mesh::Sheet(40, 10,
+	                                          [](int i, int j) {
+												  const double a = M_PI * (i / 40.0) - M_PI;
+												  return Point3d(5 * std::cos(a), 3.0 * (j - 5), 5 * std::sin(a) + 5);
+											  }),
+	                         40, 10, {0, 0, -10})
+			.moved([](const Point3d& p) { return p + Point3d(4096, 4096, 0); });
+	LabelFrame frame;
+	frame.origin = {4096, 4096, 0};
+	const Outline letter = Letters({Rectangle(-3.3, -4, 3.1, 4)});
+	const auto made = [&](auto m, double height, Error& error, LabelResult& result) {
+		test_mesh::Fill(m, groove);
+		LabelOptions options;
+		options.height = height;
+		options.along = ExtrudeAlong::SurfaceNormal;
+		try {
+			result = LabelMesh(m, letter, frame, options);
+			return true;
+		} catch (const Error& e) {
+			error = e;
+			return false;
+		}
+	};
+	Error error(ErrorCode::Cancelled);
+	LabelResult result;
+	double low = 2, high = 7;
+	for (int step = 0; step < 30; ++step) {
+		const double height = (low + high) / 2;
+		(made(test_mesh::DoubleMesh(), height, error, result) ? low : high) = height;
+	}
+	EXPECT_FALSE(made(test_mesh::FloatMesh(), low, error, result));
+	EXPECT_EQ(int(error.code), int(ErrorCode::HitsItself));
+	ASSERT_TRUE(made(test_mesh::DoubleMesh(), low, error, result));
+	EXPECT_FALSE(result.survivesFloat32);
+}
+
 /// A box that leans, and a tetrahedron leaning over it, all in floats.
 Shape LeaningPair(std::mt19937& generator)
 {

@@ -98,6 +98,22 @@ TEST(Refusal, BadHeights)
 		EXPECT_CODE(Refused(Plate(), ThreeLetters(), {}, height), BadHeight);
 }
 
+// What has been deleted, or belongs to no place, does not make the part larger.
+TEST(Refusal, HigherThanWhatIsLeftOfThePart)
+{
+	FloatMesh m;
+	test_mesh::Fill(m, Plate());
+	auto far = vcg::tri::Allocator<FloatMesh>::AddVertices(m, 2);
+	far->P() = {0, 0, 1e6f};
+	(++far)->P() = {0, std::nanf(""), 0};
+	vcg::tri::Allocator<FloatMesh>::DeleteVertex(m, m.vert[m.vert.size() - 2]);
+	LabelOptions options;
+	options.height = 1000;
+	const Error e = RefusedMesh(m, ThreeLetters(), FromAbove(), options);
+	EXPECT_CODE(e, BadHeight);
+	EXPECT_NEAR(e.limit, std::sqrt(30.0 * 30 + 20 * 20 + 4 * 4), 1e-3);
+}
+
 // ---- the mesh ----
 
 TEST(Refusal, MoreThanCanBeNumbered)
@@ -414,6 +430,63 @@ TEST(Refusal, SteepPlane)
 	LabelOptions options;
 	options.maxStretch = 10.1;
 	EXPECT_NEAR(LabelMesh(m, ThreeLetters(), FromAbove(), options).stretch, std::sqrt(101.0), 1e-4);
+}
+
+// A plate covers the label once, and the first letter stands on it; the second stands on a sheet that dips into the plate.
+TEST(Refusal, LetterThatDipsIntoAnotherSurface)
+{
+	const Shape sheet = test_mesh::Sheet(
+		1, 1, [](int i, int j) { return Point3d(5 + 6 * i, 4 * j - 2, 0.6 - 1.2 * i); });  // at z = 0 where x is 8
+	const Shape both = Plate().joined(sheet);
+	const Outline letters = Letters({Rectangle(-5, -1, -3, 1), Rectangle(6, -1, 10, 1)});
+	for (const double height : {0.0, 0.3}) EXPECT_CODE(Refused(both, letters, {}, height), Occluded);
+	FloatMesh m;
+	test_mesh::Fill(m, both);
+	EXPECT_NO_THROW(LabelMesh(m, Letters({Rectangle(-5, -1, -3, 1), Rectangle(6, -1, 7.5, 1)}), FromAbove()));
+}
+
+// A wall that leans over is seen from the front in a wide view; upwards, there, is into it.
+TEST(Refusal, RaisedIntoAWallThatLeansOver)
+{
+	const Shape wall = test_mesh::Thickened(
+		test_mesh::Sheet(6, 6, [](int i, int j) { return Point3d(20 - 0.6 * (i - 3), 3 * (j - 3), 2 * (i - 3)); }), 6,
+		6, {6, 0, 0});
+	const Outline letter = Letters({Rectangle(18, -1.5, 23, 1.5)});
+	for (const double height : {0.5, -0.5}) {
+		const Error e = Refused(wall, letter, FromAbovePerspective(10), height, ExtrudeAlong::LabelNormal);
+		EXPECT_CODE(e, Grazing);
+		EXPECT_EQ(e.value, std::numeric_limits<double>::infinity());
+		EXPECT_GE(e.face, 0);
+		for (const ExtrudeAlong along : {ExtrudeAlong::Viewpoint, ExtrudeAlong::SurfaceNormal}) {
+			FloatMesh m;
+			test_mesh::Fill(m, wall);
+			LabelOptions options;
+			options.height = height;
+			options.along = along;
+			EXPECT_NO_THROW(LabelMesh(m, letter, FromAbovePerspective(10), options)) << height << ' ' << int(along);
+		}
+	}
+}
+
+// Of several letters it is one of the two that cross.
+TEST(Refusal, NamesALetterThatCrossesAnother)
+{
+	const Error e = Refused(Plate(), Letters({Rectangle(-9, -3, -7, 3), Rectangle(-3, -1, 3, 1),
+	                                          Rectangle(-1, -3, 1, 3), Rectangle(6, -3, 8, 3)}));
+	EXPECT_CODE(e, BadContour);
+	EXPECT_TRUE(e.letter == 1 || e.letter == 2) << e.letter;
+}
+
+// What the coordinates do not carry is shown on the surface, wherever the label plane is.
+TEST(Refusal, TooFineNamesAPlaceOnTheSurface)
+{
+	// at 1e6 float32 goes in steps of 1/16, and the squares are two of them wide
+	const Shape far = test_mesh::Slab(8, 8, 4, 64, 64).moved([](const Point3d& p) { return p + Point3d(1e6, 1e6, 0); });
+	const LabelFrame frame = FrameFromDirection({1e6, 1e6, -3}, {0, 0, 1}, {0, 1, 0});
+	const Error e = Refused(far, Letters({RegularPolygon(0, 0, 3, 30)}), frame, 1);
+	EXPECT_CODE(e, TooFine);
+	ExpectPlace(e, {1e6, 1e6, 0}, 5);
+	EXPECT_NEAR(e.place[2], 0, 0.01);
 }
 
 }  // namespace

@@ -32,6 +32,18 @@ TEST(Refusal, DeeperThanTheWall)
 		}
 }
 
+// A floor that would leave less of the wall than the coordinates carry comes out behind, too.
+TEST(Refusal, DeeperThanWhatMustStayOfTheWall)
+{
+	const Shape thin = test_mesh::Slab(30, 20, 1.25, 15, 10);
+	for (const ExtrudeAlong along : {ExtrudeAlong::Viewpoint, ExtrudeAlong::LabelNormal}) {
+		const Error e = Refused(thin, ThreeLetters(), {}, -1.249998, along);
+		EXPECT_CODE(e, HitsSurface);
+		EXPECT_LT(e.limit, e.value);
+		EXPECT_NEAR(e.limit, 1.25, 1e-4);
+	}
+}
+
 // The limit that is told leaves of the wall what must stay.
 TEST(Refusal, TheDepthThatIsToldWorks)
 {
@@ -148,6 +160,65 @@ TEST(Refusal, FoldsInAGroove)
 	options.along = ExtrudeAlong::SurfaceNormal;
 	EXPECT_NO_THROW(LabelMesh(m, letter, FromAbove(), options));
 	ExpectSameKind(before, m);
+}
+
+/// A plate with one more triangle, which belongs to nothing.
+Shape WithTriangle(Shape s, const Point3d& a, const Point3d& b, const Point3d& c)
+{
+	const int first = s.add(a), second = s.add(b), third = s.add(c);
+	s.faces.push_back({first, second, third});
+	return s;
+}
+
+// Seen edge-on a sheet hides nothing and has no thickness behind it; the letters may run into it all the same.
+TEST(Refusal, IntoASheetThatIsSeenEdgeOn)
+{
+	const Outline letter = Letters({Rectangle(-3.2, -3.1, 3.3, 3.4)});
+	for (const double height : {2.0, -2.0}) {
+		const double near = std::copysign(0.75, height), far = std::copysign(3.0, height);
+		const Shape sheet = WithTriangle(Plate(), {0.3, -1.2, near}, {0.3, 1.1, near}, {0.3, 0.2, far});
+		for (const ExtrudeAlong along :
+		     {ExtrudeAlong::Viewpoint, ExtrudeAlong::LabelNormal, ExtrudeAlong::SurfaceNormal}) {
+			const Error e = Refused(sheet, letter, {}, height, along);
+			EXPECT_CODE(e, HitsSurface);
+			EXPECT_EQ(e.face, int(sheet.faces.size()) - 1);
+			EXPECT_NEAR(e.limit, 0.75, 0.01) << "height " << height << " along " << int(along);
+		}
+		FloatMesh m;
+		test_mesh::Fill(m, sheet);
+		LabelOptions options;
+		options.height = height / 4;
+		EXPECT_NO_THROW(LabelMesh(m, letter, FromAbove(), options)) << height;
+	}
+}
+
+// The same where the sheet lies in a plane through C and reaches behind it.
+TEST(Refusal, IntoASheetThatIsSeenEdgeOnAndReachesBehindTheCamera)
+{
+	const Shape sheet = WithTriangle(Plate(), {0.5, 0, 0.25}, {1, 0, 0.25}, {0.7, 0, 30});
+	const Outline letter = Letters({Rectangle(-1.6, -1.7, 1.5, 1.4)});
+	const Error e = Refused(sheet, letter, FromAbovePerspective(20), 0.5);
+	EXPECT_CODE(e, HitsSurface);
+	EXPECT_EQ(e.face, int(sheet.faces.size()) - 1);
+	EXPECT_NEAR(e.limit, 0.25, 0.01);
+	FloatMesh m;
+	test_mesh::Fill(m, sheet);
+	LabelOptions options;
+	options.height = 0.2;
+	EXPECT_NO_THROW(LabelMesh(m, letter, FromAbovePerspective(20), options));
+}
+
+// A pillar that sticks through the plate beside the letter was wrong before; that it leans into the letter's way is not.
+TEST(Refusal, IntoWhatCrossedThePartElsewhere)
+{
+	const Shape both =
+		WithTriangle(test_mesh::Box(60, 60, 4).moved([](const Point3d& p) { return p + Point3d(0, -20, 0); }),
+	                 {9, -0.5, -1}, {9, 0.5, -1}, {7.5, 0, 9});
+	const Outline letter = Letters({Rectangle(6, -2, 8, 2)});
+	const Error e = Refused(both, letter, FromAbovePerspective(10), 8, ExtrudeAlong::LabelNormal);
+	EXPECT_CODE(e, HitsSurface);
+	EXPECT_EQ(e.face, int(both.faces.size()) - 1);
+	EXPECT_NEAR(e.limit, -1 + 10 * (9 - 8) / 1.5, 0.1);  // where it is at x = 8
 }
 
 }  // namespace

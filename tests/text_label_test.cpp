@@ -322,6 +322,61 @@ TEST(Result, ListsEveryNewFaceOnce)
 		for (int k = 0; k < 3; ++k) EXPECT_EQ(m.face[size_t(f)].cP(k)[2], 0);
 }
 
+// A point of the contour so near to another that the coordinates can't tell them apart is dropped: it, too, lies no further from what
+// is made than the result says.
+TEST(Result, ResolutionCoversThePointsThatAreDropped)
+{
+	for (double beside = 1e-7; beside < 1e-4; beside *= 1.5) {
+		test_mesh::FloatMesh m;
+		test_mesh::Fill(m, test_mesh::Slab(30, 20, 4, 7, 5));
+		const Point2d corner(5 + beside, -3 + beside / 2);
+		LabelOptions options;
+		options.height = 1;
+		const LabelResult result =
+			LabelMesh(m, Letters({{{-5, -3}, {5, -3}, corner, {5, 3}, {-5, 3}}}), FromAbove(), options);
+		double nearest = std::numeric_limits<double>::infinity();
+		for (const int f : result.wallFaces)
+			for (int k = 0; k < 3; ++k) {
+				const auto &p = m.face[size_t(f)].cP(k), &q = m.face[size_t(f)].cP((k + 1) % 3);
+				if (p[2] != 0 || q[2] != 0) continue;
+				nearest = std::min(nearest, ContourDistance(Letters({{{p[0], p[1]}, {q[0], q[1]}}}), corner));
+			}
+		EXPECT_LE(nearest, result.resolution) << beside;
+		EXPECT_LT(result.resolution, 50 * FloatUlp(test_mesh::ToShape(m)));
+	}
+}
+
+// The box of what has moved, and that of where all that is new or has moved is now, against a look at every vertex.
+TEST(Result, SaysWhereWhatHasMovedWasAndIs)
+{
+	// the tip of a tent, a vertex of the mesh, is the highest point; it moves with the letter
+	const Shape tent = test_mesh::Fan(9, 12, 4).moved(
+		[](const Point3d& p) { return p[0] == 0 && p[1] == 0 && p[2] == 0 ? Point3d(0, 0, 3) : p; });
+	for (const double height : {1.0, -1.0, 0.0}) {
+		test_mesh::FloatMesh m;
+		test_mesh::Fill(m, tent);
+		const Shape before = test_mesh::ToShape(m);
+		LabelOptions options;
+		options.height = height;
+		const LabelResult result = LabelMesh(m, Letters({Rectangle(-2, -1, 2, 1)}), FromAbove(), options);
+		const Shape after = test_mesh::ToShape(m);
+		vcg::Box3d from, now;
+		for (size_t i = 0; i < after.points.size(); ++i) {
+			const bool isOld = i < before.points.size();
+			if (isOld && after.points[i] == before.points[i]) continue;
+			if (isOld) from.Add(before.points[i]);
+			now.Add(after.points[i]);
+		}
+		EXPECT_EQ(result.movedFrom.IsNull(), height == 0);
+		EXPECT_EQ(from.IsNull(), height == 0);
+		if (height != 0) {
+			EXPECT_LE((result.movedFrom.min - from.min).Norm() + (result.movedFrom.max - from.max).Norm(), 1e-6);
+			if (height > 0) { EXPECT_EQ(now.max[2], 4); }
+		}
+		EXPECT_LE((result.newPlaces.min - now.min).Norm() + (result.newPlaces.max - now.max).Norm(), 1e-5);
+	}
+}
+
 TEST(Result, RoomIsTheThicknessOfTheWall)
 {
 	const Shape slab = test_mesh::Slab(30, 20, 2.5, 7, 5);
