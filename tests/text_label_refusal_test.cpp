@@ -438,11 +438,11 @@ TEST(Refusal, LetterThatDipsIntoAnotherSurface)
 	const Shape sheet = test_mesh::Sheet(
 		1, 1, [](int i, int j) { return Point3d(5 + 6 * i, 4 * j - 2, 0.6 - 1.2 * i); });  // at z = 0 where x is 8
 	const Shape both = Plate().joined(sheet);
-	const Outline letters = Letters({Rectangle(-5, -1, -3, 1), Rectangle(6, -1, 10, 1)});
+	const Outline letters = Letters({Rectangle(-4.7, -0.9, -3, 1), Rectangle(6.2, -0.9, 10, 1)});
 	for (const double height : {0.0, 0.3}) EXPECT_CODE(Refused(both, letters, {}, height), Occluded);
 	FloatMesh m;
 	test_mesh::Fill(m, both);
-	EXPECT_NO_THROW(LabelMesh(m, Letters({Rectangle(-5, -1, -3, 1), Rectangle(6, -1, 7.5, 1)}), FromAbove()));
+	EXPECT_NO_THROW(LabelMesh(m, Letters({Rectangle(-4.7, -0.9, -3, 1), Rectangle(6.2, -0.9, 7.5, 1)}), FromAbove()));
 }
 
 // A wall that leans over is seen from the front in a wide view; upwards, there, is into it.

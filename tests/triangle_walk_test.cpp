@@ -268,6 +268,49 @@ TEST(TriangleWalk, Figure6GivesThePapersPolygon)
 	}
 }
 
+/// A triangle with a right angle at (far, far), 4 wide.
+TriangleCase RightTriangle(double far, double height)
+{
+	TriangleCase t;
+	t.points = {{far, far}, {far + 4, far}, {far, far + height}};
+	t.borderCount = 3;
+	return t;
+}
+
+// A chain around a corner, through a point beyond one of the two edges there.
+TEST(TriangleWalk, RefusesAChainThatLeavesTheTriangle)
+{
+	for (const Point2d& beyond : {Point2d(2, -3), Point2d(-3, 2)})
+		for (const bool turned : {false, true}) {
+			TriangleCase t = RightTriangle(0, 4);
+			t.points.insert(t.points.begin() + 1, {1, 0});
+			t.points.push_back({0, 1});
+			t.borderCount = 5;
+			t.points.push_back(beyond);
+			for (const int id : turned ? std::vector<int>{4, 5, 1} : std::vector<int>{1, 5, 4}) t.chains.add(id);
+			t.chains.close();
+			RegionSet regions;
+			EXPECT_THROW(TriangleWalk().cut(t, regions), WalkConflict) << beyond[0] << ' ' << turned;
+		}
+}
+
+// Points on the edges of a triangle thinner than the coordinates' step are off them by a lot of its height, and right all the same.
+TEST(TriangleWalk, CutsTrianglesThinnerThanTheRoundingOfTheirEdges)
+{
+	for (const double height : {1e-7, 1e-8, 1e-9})
+		for (int i = 1; i < 20; ++i) {
+			const double far = 1e6, along = i / 20.0;
+			TriangleCase t = RightTriangle(far, height);
+			const Point2d a = t.points[0], b = t.points[1], c = t.points[2];
+			t.points = {a, a + (b - a) * along, b, b + (c - b) * (1 - along), c};
+			t.borderCount = 5;
+			for (const int id : {1, 3}) t.chains.add(id);
+			t.chains.close();
+			RegionSet regions;
+			EXPECT_NO_THROW(TriangleWalk().cut(t, regions)) << height << ' ' << along;
+		}
+}
+
 TEST(WalkText, RefusesWhatIsNoCase)
 {
 	const std::string triangle = "border 0 0\nborder 1 0\nborder 0 1\n";
