@@ -40,12 +40,11 @@ class Codes(InFolder):
         return report
 
     def test_each_is_read(self):
-        for kind, name, text, read in CODES:
-            size = 14 if kind == "Code 128" else 24
-            for style in ("Emboss", "Engrave"):
-                with self.subTest(f"{kind}, {style}"):
-                    report = self.check(kind, name, text, read, style=style, size=size)
-                    self.assertAlmostEqual(abs(report["depth"]), report["module"] / 2, places=9)
+        for (kind, name, text, read), style in zip(CODES, 3 * ["Emboss", "Engrave"]):
+            with self.subTest(f"{kind}, {style}"):
+                size = 14 if kind == "Code 128" else 24
+                report = self.check(kind, name, text, read, style=style, size=size)
+                self.assertAlmostEqual(abs(report["depth"]), report["module"] / 2, places=9)
 
     def test_mirrored_is_for_stamps(self):
         picture = self.folder / "picture.png"
