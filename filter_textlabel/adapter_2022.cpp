@@ -19,7 +19,7 @@ std::map<std::string, QVariant> Outputs(const textlabel::LabelReport& r)
 		{"module", r.module},
 		{"depth", r.depth},
 		{"stretch", r.stretch},
-		{"resolution", r.resolution},
+		{"coordinate_step", r.coordinateStep},
 		{"survives_float32", r.survivesFloat32},
 		{"milliseconds", r.milliseconds.back().second},
 	};

@@ -28,8 +28,8 @@ How:
   --depth D             mesh units (default: chosen from the size)
   --along viewpoint|label|surface
   --font F              family ("DejaVu Sans:Bold"), font file, or either with axes ("Inter:wght=650")
-  --code KIND           a code instead of letters, --size high: "data matrix", "gs1 data matrix", "qr code", "micro qr code",
-                        "aztec code" or "code 128"
+  --code KIND           a code instead of letters, --size is its height: "data matrix", "gs1 data matrix", "qr code",
+                        "micro qr code", "aztec code" or "code 128"
   --tolerance T         largest distance between the font's curves and what is cut, mesh units
   --color RRGGBB        of the letters' faces, raised and sunk ones too
   --set NAME=VALUE      any parameter; position or camera say where, as above
@@ -137,8 +137,9 @@ fi
 parameters+=("text=${files[2]}")
 
 # What the parameters mean for files, whichever option they came by.
-colors=
 is_flat=
+is_tinted=  # by the parameter tint; a colour without it means that letters get it
+has_color=
 written=(${input:+"$(absolute "$input")"} ${output:+"$(absolute "$output")"})
 for i in "${!parameters[@]}"; do
 	name=${parameters[i]%%=*} value=${parameters[i]#*=}
@@ -157,14 +158,12 @@ for i in "${!parameters[@]}"; do
 		is_flat=
 		if [[ ${value,,} == f* || $value == 2 ]]; then is_flat=yes; fi
 		;;
-	color) colors="fc" ;;
-	tint)
-		colors=
-		if [[ $value == true || $value == 1 ]]; then colors="fc"; fi
-		;;
+	color) has_color=yes ;;
+	tint) if [[ $value == true || $value == 1 ]]; then is_tinted=yes; else is_tinted=no; fi ;;
 	esac
 done
-[ -z "$is_flat" ] || colors="fc"
+colors=
+if [ -n "$is_flat" ] || [ "${is_tinted:-$has_color}" = yes ]; then colors=fc; fi
 
 # ---- what can be refused before MeshLab starts
 
@@ -265,16 +264,16 @@ if [ ! -s "$work/labelled.$ending" ] || [ $status -ne 0 ]; then
 	refuse "MeshLab ended unexpectedly (status $status, see above). Check the mesh by opening it in MeshLab; for a very large one, that there is memory enough."
 fi
 
-# Text formats have six decimals or six digits: too few for a part that is very small, or far from the origin. The report states how far a
-# contour may have moved: 20 steps of float32, of which the largest coordinate has 2^23 to 2^24.
+# Text formats have six decimals or six digits: too few for a part that is very small, or far from the origin. The label was checked on the
+# steps of float32, of which the largest coordinate has 2^23 to 2^24.
 reported() { sed -n "s/^\(LOG: [0-9]* \)\{0,1\}Text Label: {.*\"$1\":\([^,]*\),.*/\2/p" "$work/errors" | head -n 1; }
-resolution=$(reported resolution) size=$(reported size)
+checked=$(reported coordinate_step) size=$(reported size)
 few_digits=
 case ${ending,,} in
-obj) few_digits=$(LC_ALL=C awk -v r="${resolution:-1}" 'BEGIN { if (1e-6 > r / 5) print "six decimals" }') ;;
+obj) few_digits=$(LC_ALL=C awk -v checked="${checked:-1}" 'BEGIN { if (1e-6 > 4 * checked) print "six decimals" }') ;;
 off | dae | x3d | wrl)
-	few_digits=$(LC_ALL=C awk -v r="${resolution:-1}" -v size="${size:-0}" 'BEGIN {
-		step = 10 ^ (int(100 + log(r / 20 * 2 ^ 23) / log(10)) - 100 - 5)
+	few_digits=$(LC_ALL=C awk -v checked="${checked:-1}" -v size="${size:-0}" 'BEGIN {
+		step = 10 ^ (int(100 + log(checked * 2 ^ 23) / log(10)) - 100 - 5)
 		if (step > size / 400) print "six digits"  # coarser than curves are cut
 	}')
 	;;

@@ -36,6 +36,7 @@ struct LabelReport {
 	double labelArea = 0, surfaceArea = 0;  ///< in the label plane; on the surface, world units squared
 	double stretch = 1;                     ///< largest surface length over label length
 	double resolution = 0;                  ///< no contour point was moved by more, world units
+	double coordinateStep = 0;    ///< between the largest coordinates, world units; the label was checked on it
 	bool survivesFloat32 = true;  ///< false: in a file of single precision, as STL, the letters would be spoilt
 	double module = 0;            ///< side of a code's squares; 0: there is none
 	double thinnestStroke = 0, narrowestGap = 0;

@@ -324,6 +324,7 @@ LabelReport LabelJob<MeshType>::report(const LabelRequest& request) const
 	r.surfaceArea = result_.surfaceArea;
 	r.stretch = result_.stretch;
 	r.resolution = result_.resolution;
+	r.coordinateStep = result_.coordinateStep;
 	r.survivesFloat32 = result_.survivesFloat32;
 	r.view = {frame_.origin, frame_.w, frame_.v, frame_.perspective, frame_.center};
 	return r;

@@ -112,7 +112,8 @@ const std::vector<Parameter>& ParameterTable()
 	     &R::tolerance},
 		{"code", "Code",
 	     "Mark the text as a code that a camera reads, instead of in letters. The size is then the height of the whole "
-	     "symbol; font, language, spacing, slant and arc do not count. A GS1 Data Matrix has its identifiers in "
+	     "symbol; font, language, spacing, slant, arc and tolerance do not count. A GS1 Data Matrix has its "
+	     "identifiers in "
 	     "brackets: "
 	     "[01]09506000134352[21]0042. Leave a margin around it: four modules (the "
 	     "squares it is made of) for a QR Code, ten for Code 128, one or two for the others.",

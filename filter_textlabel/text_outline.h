@@ -26,7 +26,7 @@ struct TextOptions {
 	std::string features;        ///< OpenType features, HarfBuzz syntax, comma-separated: "tnum,ss01,-liga"
 	bool fallbackFonts = false;  ///< take characters that the font lacks from other installed fonts
 
-	/// In letters, or as a code; then font, language, features, spacing, slant and arc play no part.
+	/// In letters, or as a code; then font, language, features, spacing, slant, arc and tolerance play no part.
 	CodeKind code = CodeKind::None;
 
 	double size = 10;      ///< height of the capital letters, or of the code's symbol

@@ -277,6 +277,11 @@ works flat.obj --style flat --color 0000ff --size 5 crlf.ply flat.obj A
 grep -q '^Kd 0.03[0-9]* 0.07[0-9]* 0.11[0-9]*' flat.obj.mtl || fail "beside a flat label the colours of the vertices are lost"
 ! grep -q '^Tr' flat.obj.mtl || fail "materials say that they are transparent, or are not"
 
+for order in '--color ff0000 --set tint=false' '--set tint=false --color ff0000'; do
+	# shellcheck disable=SC2086  # several arguments
+	"$label" $order --size 5 box.off grey.stl A >said 2>&1 && ! grep -q "colour is in" said || fail "a colour is told that is not there: $order"
+done
+
 # What --help says can be written, can.
 for ending in ply off dae x3d wrl STL; do
 	works "out.$ending" --size 5 box.off "out.$ending" A

@@ -88,6 +88,13 @@ class Layers(InFolder):
         write_3mf(self.folder / "inch.3mf", [(box_points(4, 3, 1), "1 0 0 0 1 0 0 0 1 0 0 0")], unit="inch")
         with self.assertRaisesRegex(textlabel.LabelError, "unit inch.*millimetres"):
             textlabel.label(self.folder / "inch.3mf", "A4", self.folder / "out.stl")
+        broken = bytearray((self.folder / "inch.3mf").read_bytes())
+        for i in range(40, len(broken) // 2, 3):
+            broken[i] ^= 0x55
+        for data in (broken, broken[:100], b""):
+            (self.folder / "broken.3mf").write_bytes(data)
+            with self.assertRaisesRegex(textlabel.LabelError, "cannot be read"):
+                textlabel.label(self.folder / "broken.3mf", "A4", self.folder / "out.stl")
 
     def test_a_part_keeps_the_colours_of_its_vertices(self):
         meshes = pymeshlab.MeshSet()

@@ -3,6 +3,7 @@
 import csv
 import json
 import os
+import pathlib
 import shutil
 import unittest
 
@@ -150,6 +151,10 @@ class Tables(InFolder):
                 tasks.make_tasks(self.read("text\n" + text), self.plan(name=Template(name)), self.folder)
             self.assertIn("same file", str(caught.exception))
             self.assertIn("{n:04}", str(caught.exception))
+        parts = [pathlib.Path("a/bracket.stl"), pathlib.Path("b/bracket.stl")]  # no field of a name tells them apart
+        with self.assertRaises(tasks.UsageError) as caught:
+            tasks.make_tasks(self.read("text\nA1\n"), self.plan(parts=parts), self.folder)
+        self.assertIn("different names", str(caught.exception))
         rows = self.read("text,picture\nA1,a.png\nA2,b.png\n")
         self.assertEqual(len(tasks.make_tasks(rows, self.plan(), self.folder)[0]), 2)
         with self.assertRaises(tasks.UsageError) as caught:

@@ -213,6 +213,17 @@ inline Shape Helicoid(double inner, double outer, double pitch, double turns, in
 	});
 }
 
+/// A block with the inside of a half tube of radius 5 along y in its top: along its normals everything meets in the axis, z = 5.
+inline Shape Groove()
+{
+	constexpr int around = 40, along = 10;
+	const Shape top = Sheet(around, along, [](int i, int j) {
+		const double a = M_PI * (double(i) / around) - M_PI;
+		return vcg::Point3d(5 * std::cos(a), 3.0 * (j - 5), 5 * std::sin(a) + 5);
+	});
+	return Thickened(top, around, along, {0, 0, -10});
+}
+
 // ---- comparing ----
 
 /// All that a mesh stores, byte by byte: positions, indices, flags, attributes. Not the addresses.

@@ -236,14 +236,7 @@ TEST(Layer, TheDepthThatIsToldSurvivesFloat32)
 // In a groove, tops raised along the normals all but meet in the axis: by less than float32 has steps there.
 TEST(Layer, DoublesCarryTopsThatAllButMeet)
 {
-	const Shape groove =
-		test_mesh::Thickened(test_mesh::Sheet(40, 10,
-	                                          [](int i, int j) {
-												  const double a = M_PI * (i / 40.0) - M_PI;
-												  return Point3d(5 * std::cos(a), 3.0 * (j - 5), 5 * std::sin(a) + 5);
-											  }),
-	                         40, 10, {0, 0, -10})
-			.moved([](const Point3d& p) { return p + Point3d(4096, 4096, 0); });
+	const Shape groove = test_mesh::Groove().moved([](const Point3d& p) { return p + Point3d(4096, 4096, 0); });
 	LabelFrame frame;
 	frame.origin = {4096, 4096, 0};
 	const Outline letter = Letters({Rectangle(-3.3, -4, 3.1, 4)});

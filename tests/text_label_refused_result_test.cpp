@@ -137,14 +137,7 @@ TEST(Refusal, RaisedIntoWhatIsSeenElsewhere)
 
 TEST(Refusal, FoldsInAGroove)
 {
-	// the inside of a half tube of radius 5: along its normals everything meets in the axis
-	const Shape groove =
-		test_mesh::Thickened(test_mesh::Sheet(40, 10,
-	                                          [](int i, int j) {
-												  const double a = M_PI * (i / 40.0) - M_PI;
-												  return Point3d(5 * std::cos(a), 3.0 * (j - 5), 5 * std::sin(a) + 5);
-											  }),
-	                         40, 10, {0, 0, -10});
+	const Shape groove = test_mesh::Groove();
 	const Outline letter = Letters({Rectangle(-3.3, -4, 3.1, 4)});
 	const Error e = Refused(groove, letter, {}, 7, ExtrudeAlong::SurfaceNormal);
 	EXPECT_TRUE(e.code == ErrorCode::HitsItself || e.code == ErrorCode::HitsSurface) << int(e.code) << ' ' << e.what();

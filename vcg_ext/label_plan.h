@@ -36,7 +36,9 @@ struct LabelPlan {
 	double surfaceArea = 0;  ///< of the letters on the surface before raising, world units squared
 	double room = 0;         ///< to the next surface behind the letters, world units; infinite if none was found
 	double resolution = 0;   ///< world units: no point of a contour was moved by more
-	int attempts = 0;        ///< placements tried
+	double coordinateStep =
+		0;             ///< world units: between coordinates, where they are largest; what the label was checked on
+	int attempts = 0;  ///< placements tried
 };
 
 /// How the coordinates of a mesh are stored or saved.
@@ -195,6 +197,7 @@ inline LabelPlan LabelPlanner::plan(const Outline& outline)
 		LabelPlan plan;
 		plan.attempts = i + 1;
 		plan.resolution = resolutionAt(i);
+		plan.coordinateStep = ulp_;
 		if (attempt(prepared(outline, shift), i + 1 == mostAttempts, plan, conflict)) return plan;
 		report(10);
 	}

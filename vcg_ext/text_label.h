@@ -32,9 +32,11 @@ struct LabelResult {
 			///< when none lies within the depth and LabelOptions::measureRoom is off
 	vcg::Box3d
 		movedFrom;  ///< where old vertices were that moved with the letters; mesh coordinates, null when none did
-	vcg::Box3d newPlaces;         ///< where these and the new vertices are now; mesh coordinates
-	double resolution = 0;        ///< world units: no point of a contour was moved by more
-	int attempts = 1;             ///< placements tried within the resolution
+	vcg::Box3d newPlaces;   ///< where these and the new vertices are now; mesh coordinates
+	double resolution = 0;  ///< world units: no point of a contour was moved by more
+	double coordinateStep =
+		0;             ///< world units: between coordinates, where they are largest; what the label was checked on
+	int attempts = 1;  ///< placements tried within the resolution
 	bool survivesFloat32 = true;  ///< false: a double mesh whose letters only double coordinates carry
 };
 
@@ -293,6 +295,7 @@ LabelResult LabelMeshOrThrow(MeshType& m, const Outline& outline, const LabelFra
 	result.stretch = plan.stretch;
 	result.room = plan.room;
 	result.resolution = plan.resolution;
+	result.coordinateStep = plan.coordinateStep;
 	result.attempts = plan.attempts;
 	result.touchedFaces = int(patch.removed.size());
 	result.newVertices = int(patch.vertices.size());

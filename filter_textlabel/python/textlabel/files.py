@@ -6,11 +6,7 @@ A mesh is written to a folder of its own first. What else is in that folder then
 import hashlib
 import os
 import pathlib
-import re
 import shutil
-import zipfile
-
-from .plugin import LabelError
 
 
 class Clash(Exception):
@@ -56,21 +52,3 @@ def _beside(waiting, target):
     """(path written, path to be) of the materials and textures of a mesh."""
     written = [path for path in waiting.parent.rglob("*") if path.is_file() and path != waiting]
     return [(path, target.parent / path.relative_to(waiting.parent)) for path in written]
-
-
-def refuse_other_unit(path):
-    """Raise LabelError for a 3MF file in another unit than millimetres: MeshLab reads its numbers as they are, and writes millimetres."""
-    if not path.lower().endswith(".3mf"):
-        return
-    try:
-        with zipfile.ZipFile(path) as archive:
-            models = [name for name in archive.namelist() if name.lower().endswith(".model")]
-            heads = [archive.open(name).read(1 << 16) for name in models]
-    except (OSError, zipfile.BadZipFile):
-        return  # MeshLab says what is wrong with it
-    for head in heads:
-        unit = re.search(rb"<model\b[^>]*\bunit\s*=\s*[\"']([a-z]+)", head)
-        if unit and unit[1] != b"millimeter":
-            raise LabelError(
-                f"The mesh '{path}' is in the unit {unit[1].decode()}, which would be lost. Export it in millimetres."
-            )

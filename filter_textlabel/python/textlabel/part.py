@@ -9,15 +9,10 @@ import tempfile
 import numpy as np
 import pymeshlab
 
-from . import files
-from .plugin import CHOICES, FILTER, LabelError, check_values, load_plugin
+from . import files, formats
+from .plugin import FILTER, LabelError, check_values, load_plugin
 
-FLAT = CHOICES["style"].index("Flat")
 NO_TEXTURE = "dummy.png"  # what MeshLab calls the picture in place of a texture that it cannot load
-WITH_DOUBLES = (".ply", ".obj", ".off")  # endings of files that keep double precision
-WITH_SINGLES = (*WITH_DOUBLES, ".stl")  # all that a label is checked for
-WITH_FACE_COLORS = (".ply", ".obj", ".off", ".stl")  # endings: in other formats this MeshLab leaves them away
-SAVED_DIGITS = 6  # that others keep: significant ones, or decimals (.3mf)
 WITH_TEXTURES_INSIDE = (".glb", ".gltf", ".3mf")  # endings: a file of a texture's name need not be that texture
 
 
@@ -32,11 +27,11 @@ def label(mesh, text, output=None, **parameters):
     outline or the output could not be written, which the text says, it is labelled.
     """
     if isinstance(mesh, pymeshlab.MeshSet):
-        if output is not None and _takes_textures(output):
+        if output is not None and formats.takes_textures(output):
             _refuse_far_textures(mesh, "the mesh")
         report = _apply(mesh, text, parameters, output)
         if output is not None:
-            _refuse_lost_precision(mesh, report, output)
+            formats.refuse_lost_precision(mesh.current_mesh(), report, output)
             _save_in_place(mesh, output)
         return report
     if output is None:
@@ -53,7 +48,7 @@ class Part:
         Raises LabelError when the file cannot be read as a mesh with faces."""
         load_plugin()
         self.path = os.fspath(path)
-        files.refuse_other_unit(self.path)
+        formats.refuse_other_unit(self.path)
         self._folder = os.path.dirname(os.path.abspath(self.path))
         self._set = pymeshlab.MeshSet()
         try:
@@ -71,14 +66,14 @@ class Part:
     def label(self, text, output, **parameters):
         """Write the part with the text cut into it to the file output; see label()."""
         self._set.set_current_mesh(self._original)
-        if _takes_textures(output):
+        if formats.takes_textures(output):
             self._refuse_lost_textures()
             _refuse_far_textures(self._set, f"the mesh '{self.path}'")
         untouched = self._textures_beside(output)
         self._set.apply_filter("generate_copy_of_current_mesh")
         try:
             report = _apply(self._set, text, parameters, output)
-            _refuse_lost_precision(self._set, report, output)
+            formats.refuse_lost_precision(self._set.current_mesh(), report, output)
             _save(self._set, output, untouched)
         finally:
             self._set.delete_current_mesh()
@@ -131,9 +126,9 @@ def _has_matrix(mesh_set):
 
 def _freeze_matrix(mesh_set):
     """Put the current mesh where its matrix shows it: files are written without it."""
-    mirrors = np.linalg.det(mesh_set.current_mesh().transform_matrix()) < 0
     if not _has_matrix(mesh_set):
         return
+    mirrors = np.linalg.det(mesh_set.current_mesh().transform_matrix()) < 0
     mesh_set.apply_filter("apply_matrix_freeze")
     if mirrors:  # a mirror image is inside out
         mesh_set.apply_filter("meshing_invert_face_orientation", forceflip=True)
@@ -165,11 +160,8 @@ def _color_faces(mesh_set):
 def _apply(mesh_set, text, parameters, output):
     load_plugin()
     values = check_values({**parameters, "text": text})
-    if output is not None and values.get("style") == FLAT and not os.fspath(output).lower().endswith(WITH_FACE_COLORS):
-        raise LabelError(
-            f"'{output}' cannot be written: a flat label is a colour, which its format is saved without. "
-            "Write a .ply, .obj or .off file, or choose another style."
-        )
+    if output is not None:
+        formats.refuse_lost_color(values, output)
     try:
         report = mesh_set.apply_filter(FILTER, **values)
     except Exception as error:  # PyMeshLab has several kinds, without a common base
@@ -189,33 +181,6 @@ def _working_folder_kept():
     finally:
         if folder is not None:
             os.chdir(folder)
-
-
-def _takes_textures(output):
-    return not os.fspath(output).lower().endswith((".stl", ".off"))
-
-
-def _refuse_lost_precision(mesh_set, report, output):
-    """Letters can be finer than what a format keeps apart: far from the origin, very small, or in a format of few digits."""
-    ending = os.path.splitext(os.fspath(output))[1].lower()
-    if not report["survives_float32"] and ending not in WITH_DOUBLES:
-        raise LabelError(
-            f"'{output}' cannot be written: its format has single precision, which would spoil letters so fine. "
-            "Write a .ply, .obj or .off file, make the text larger and deeper, or move the part nearer to the origin."
-        )
-    if ending in WITH_SINGLES:
-        return
-    if ending == ".3mf":
-        step, least = 10.0**-SAVED_DIGITS, report["resolution"] / 5  # four steps of float32
-    else:
-        corners = mesh_set.current_mesh().bounding_box()
-        largest = max(np.abs(corners.min()).max(), np.abs(corners.max()).max())
-        step, least = 10.0 ** (np.floor(np.log10(largest)) + 1 - SAVED_DIGITS), report["size"] / 400  # as curves are cut
-    if ending == ".ctm" or step > least:
-        raise LabelError(
-            f"'{output}' cannot be written: its format is saved with so few digits (steps of {step:g} here) that the label could be "
-            "spoilt. Write a .ply, .obj, .off or .stl file."
-        )
 
 
 def _refuse_far_textures(mesh_set, name):
@@ -240,7 +205,7 @@ def _save(mesh_set, output, untouched=()):
     try:
         folder = pathlib.Path(tempfile.mkdtemp(prefix=".textlabel-", dir=target.parent))
         waiting = folder / target.name
-        mesh_set.save_current_mesh(str(waiting), save_textures=_takes_textures(output))
+        mesh_set.save_current_mesh(str(waiting), save_textures=formats.takes_textures(output))
         files.leave_there(waiting, target, untouched)
         files.refuse_clash(waiting, target, "Choose another folder.")
         files.move(waiting, target)

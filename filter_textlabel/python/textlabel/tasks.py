@@ -204,6 +204,11 @@ def _refuse_duplicates(tasks):
                     f"Nothing was started; give each row its own in a column '{name}'."
                 )
         other = files.setdefault(task.file.casefold(), task)  # some file systems do not tell A from a
+        if other is not task and other.row == task.row:
+            raise UsageError(
+                f"The parts '{other.part}' and '{task.part}' would be written to the same file '{task.file}'. "
+                "Nothing was started; give them different names, or label them one after the other into folders of their own."
+            )
         if other is not task:
             raise UsageError(
                 f"Rows {other.row} and {task.row} would write the same file '{task.file}'. "
