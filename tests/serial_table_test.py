@@ -3,7 +3,6 @@
 import csv
 import json
 import os
-import pathlib
 import shutil
 import unittest
 
@@ -151,7 +150,10 @@ class Tables(InFolder):
                 tasks.make_tasks(self.read("text\n" + text), self.plan(name=Template(name)), self.folder)
             self.assertIn("same file", str(caught.exception))
             self.assertIn("{n:04}", str(caught.exception))
-        parts = [pathlib.Path("a/bracket.stl"), pathlib.Path("b/bracket.stl")]  # no field of a name tells them apart
+        parts = [self.folder / name / "bracket.stl" for name in "ab"]  # no field of a name tells them apart
+        for part in parts:
+            part.parent.mkdir()
+            shutil.copy(BRACKET, part)
         with self.assertRaises(tasks.UsageError) as caught:
             tasks.make_tasks(self.read("text\nA1\n"), self.plan(parts=parts), self.folder)
         self.assertIn("different names", str(caught.exception))
