@@ -60,7 +60,6 @@ const char* const moveIt =
 
 // MeshLab's own filters, by the names that its menus have.
 const std::string invertFaces = "'Invert Faces Orientation'";
-const std::string triangulate = "'Turn into a Pure-Triangular mesh'";
 #if MESHLAB_API == 2025
 const std::string orientFaces = "'Re-Orient all faces coherently'";
 #else
@@ -187,8 +186,6 @@ std::string ErrorText(const Error& error, const ErrorContext& context)
 		       ". Give a finite depth smaller than the part.";
 	case ErrorCode::EmptyMesh:
 		return "The mesh has no faces: it is empty or a point cloud. Load a surface, or reconstruct one first.";
-	case ErrorCode::NotTriangles:
-		return "The mesh has faces of more than three corners. Run " + triangulate + " first.";
 	case ErrorCode::TooLarge:
 		return "The mesh has " + Figure(error.value) + " vertices or faces, more than can be numbered (" +
 		       Figure(error.limit) + "). Label a piece of it, or simplify it first.";

@@ -142,19 +142,6 @@ TEST(Refusal, EmptyMeshes)
 	EXPECT_CODE(Refused(nowhere, ThreeLetters()), EmptyMesh);
 }
 
-TEST(Refusal, Quads)
-{
-	FloatMesh m;
-	test_mesh::Fill(m, Plate());
-	for (size_t f = 0; f + 1 < m.face.size(); f += 2) {  // the diagonals of the shape's quads
-		m.face[f].SetF(2);
-		m.face[f + 1].SetF(0);
-	}
-	const Error e = RefusedMesh(m, ThreeLetters(), FromAbove(), {});
-	EXPECT_CODE(e, NotTriangles);
-	EXPECT_GE(e.face, 0);
-}
-
 // ---- the place ----
 
 TEST(Refusal, BesideThePart)

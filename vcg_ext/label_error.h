@@ -17,9 +17,8 @@ enum class ErrorCode {
 	BadFrame,    ///< non-finite or degenerate frame: direction zero, up parallel to it, camera in the label plane
 	BadHeight,   ///< not finite, larger than the part, or finer than the coordinates: `value`, `limit`
 	// the mesh
-	EmptyMesh,     ///< no vertex, no face (a point cloud), or no finite face
-	NotTriangles,  ///< polygons marked by faux edges
-	TooLarge,      ///< `value` vertices or faces, `limit` can be numbered
+	EmptyMesh,  ///< no vertex, no face (a point cloud), or no finite face
+	TooLarge,   ///< `value` vertices or faces, `limit` can be numbered
 	// the place
 	OffSurface,    ///< a letter, or a piece of it, falls beside the surface
 	FacesAway,     ///< the first surface seen there shows its back: normals turned round, or the camera inside

@@ -6,8 +6,8 @@
 // raised letter, which move with it. Attributes of new vertices are mixed from the corners of the triangle in which they lie, new
 // faces take those of their birth face.
 
+#include "faux_edges.h"
 #include "grow_mesh.h"
-#include "label_raise.h"
 
 namespace vcg::textlabel {
 
@@ -129,12 +129,15 @@ CommitResult CommitPatch(MeshType& m, const LabelSpace& space, const Sheet& shee
 	const int appended = int(guests.size() - guest);
 	for (int i = 0; guest < guests.size(); ++i) result.faces[guests[guest++]] = int(firstNewFace) + i;
 	guests.insert(guests.end(), owners.begin(), owners.end());  // owners overwrite their birth face, so they go last
-	GrowMesh(m, patch.vertices.size(), size_t(appended));       // nothing below can fail
+	const std::vector<FaceEdge> fauxEdges = FauxEdgesAround(m, sheet, patch);
+	GrowMesh(m, patch.vertices.size(), size_t(appended));  // nothing below can fail
 
 	for (size_t i = 0; i < patch.vertices.size(); ++i)
 		detail::MixVertex(m, sheet, patch.vertices[i], m.vert[size_t(result.firstNewVertex) + i]);
 	for (const auto& [v, p] : patch.moved)
 		m.vert[size_t(sheet.vertices[size_t(v)].index)].P() = {Scalar(p[0]), Scalar(p[1]), Scalar(p[2])};
+
+	for (const FaceEdge& e : fauxEdges) m.face[size_t(e.face)].ClearF(e.edge);
 
 	const bool wedges = vcg::tri::HasPerWedgeTexCoord(m);
 	for (const size_t i : guests) {
@@ -142,6 +145,7 @@ CommitResult CommitPatch(MeshType& m, const LabelSpace& space, const Sheet& shee
 		const FaceType& birth = m.face[size_t(sheet.triangles[size_t(f.parent)].birthFace())];
 		FaceType& to = m.face[size_t(result.faces[i])];
 		if (&to != &birth) to.ImportData(birth);
+		to.ClearAllF();
 		const auto wedge = wedges ? detail::WedgesOf(birth) : decltype(detail::WedgesOf(birth)){};
 		const auto corner = [&](int k) { return space.mirrors() && k > 0 ? 3 - k : k; };
 		for (int k = 0; k < 3; ++k) {

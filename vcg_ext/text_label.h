@@ -50,11 +50,11 @@ inline void RequireCountable(size_t vertices, size_t faces)
 }
 
 /// Put a label on a mesh.
-/// @param[in,out] m  triangles; untouched when an Error is thrown
+/// @param[in,out] m  triangles; some may be marked as parts of polygons by faux edges; untouched when an Error is thrown
 /// @param[in] outline  simple, disjoint, nested contours in the label plane (contour.h)
 /// @param[in] frame  where the label plane lies and from where it is projected
 /// @post  same topology class; the surface outside the letters is the same set of points; faces that no letter touches are the same
-///        bit for bit; valid also after rounding to float32 and merging equal points, unless survivesFloat32 says otherwise
+///        bit for bit, but for faux edges that they had in common with touched ones; valid also after rounding to float32 and merging equal points, unless survivesFloat32 says otherwise
 /// @note  for the caller to bring up to date, as after any of VCGlib's algorithms that add faces: normals, the bounding box, FF and VF
 ///        adjacency and border flags of what is new (LabelResult lists it). Flags, colours and the like of a new face are those of
 ///        the one that it is a piece of, or stands on; custom attributes of what is appended have their default value
@@ -115,17 +115,6 @@ inline int NearestLetter(const LabelSpace& space, const Outline& outline, const 
 			letter = c.letter;
 		}
 	return letter;
-}
-
-template <class MeshType>
-void RequireTriangles(const MeshType& m, const Sheet& sheet, const LabelPatch& patch)
-{
-	for (const int t : patch.removed) {
-		const int face = sheet.triangles[size_t(t)].face;
-		for (int k = 0; k < 3; ++k)
-			if (m.face[size_t(face)].IsF(k))
-				throw Error(ErrorCode::NotTriangles, "a polygon with faux edges").atFace(face);
-	}
 }
 
 /// The box of all that a patch changes, in the label plane.
@@ -285,7 +274,6 @@ LabelResult LabelMeshOrThrow(MeshType& m, const Outline& outline, const LabelFra
 	}
 	const LabelPlan& plan = planned.plan;
 	const LabelPatch& patch = plan.patch;
-	RequireTriangles(m, planned.sheet, patch);
 
 	LabelResult result;
 	result.addedVolume = VolumeChange(planned.sheet, patch, space.mirrors());
