@@ -49,7 +49,10 @@ pymeshlab)
 	;;
 esac
 
-mkdir -p "$build"
+if ! { mkdir -p "$build" && [ -w "$build" ] && { [ ! -e "$build/.lock" ] || [ -w "$build/.lock" ]; }; } 2>/dev/null; then
+	echo "textlabel: '$build' cannot be written to. Name a folder of your own in TEXTLABEL_BUILD." >&2
+	exit 1
+fi
 exec 9>"$build/.lock"  # one at a time in this tree
 flock 9
 [ -f "$build/.configured" ] || echo "textlabel: building the plugin for $host" >&2

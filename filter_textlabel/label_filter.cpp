@@ -5,7 +5,7 @@
 #include "request_parameters.h"
 #include "view_grabber.h"
 
-#include <QFile>
+#include <QFileInfo>
 #include <QSaveFile>
 #include <iostream>
 
@@ -47,12 +47,14 @@ private:
 	const bool added_;
 };
 
-/// Find out before the mesh is changed.
+/// Find out before the mesh is changed. QSaveFile would put a file in the place of a pipe or a device, for root even of /dev/null.
 void RequireWritable(const char* parameter, const std::string& path)
 {
 	if (path.empty()) return;
-	QSaveFile file(QString::fromStdString(path));
-	if (!file.open(QIODevice::WriteOnly)) throw RequestError(RequestProblem::FileNotWritten, parameter, path);
+	const QFileInfo there(QString::fromStdString(path));
+	QSaveFile file(there.filePath());
+	if ((there.exists() && !there.isFile()) || !file.open(QIODevice::WriteOnly))
+		throw RequestError(RequestProblem::FileNotWritten, parameter, path);
 	file.cancelWriting();
 }
 

@@ -241,6 +241,17 @@ works out.ply --size 5 --outline flat.svg --picture picture.png box.off out.ply 
 grep -q '<svg' flat.svg 2>/dev/null || fail "no outline"
 [ "$(head -c 8 picture.png 2>/dev/null | od -An -tx1 | tr -d ' \n')" = 89504e470d0a1a0a ] || fail "no picture"
 
+# A report for a pipe, and an output that is a link: what it names is written.
+rm -f out.stl
+"$label" --report /dev/stdout --outline /dev/null --size 5 box.off out.stl A43 2>said | grep -q '^{.*"text":"A43".*}$' ||
+	fail "no report on standard output: $(cat said)"
+[ -c /dev/null ] || fail "/dev/null was replaced"
+mkdir -p files && ln -s files/real.stl link.stl
+"$label" --size 5 box.off link.stl A43 && [ -L link.stl ] && sound files/real.stl || fail "the link was replaced"
+
+# Polygons with more than three corners.
+works out.stl --at 30,20,10 --size 8 --depth 0.5 quads.off out.stl A43 && sound out.stl
+
 # Colours of the input are still there.
 sed -e 's/^OFF/COFF/' -e '3,10s/$/ 10 20 30 255/' box.off >colored.off
 works colored.ply --size 5 colored.off colored.ply 'A' && head -c 400 colored.ply | grep -qa 'property uchar red' || fail "vertex colours are lost"
@@ -276,6 +287,28 @@ works red.stl --style flat --color ff0000 --size 5 box.off red.stl A && works tw
 works flat.obj --style flat --color 0000ff --size 5 crlf.ply flat.obj A
 grep -q '^Kd 0.03[0-9]* 0.07[0-9]* 0.11[0-9]*' flat.obj.mtl || fail "beside a flat label the colours of the vertices are lost"
 ! grep -q '^Tr' flat.obj.mtl || fail "materials say that they are transparent, or are not"
+
+# A texture comes along to another folder, and replaces no other.
+mkdir -p skinned/pictures skinless
+cp picture.png skinned/pictures/skin.png
+{
+	printf 'ply\nformat ascii 1.0\ncomment TextureFile pictures/skin.png\n'
+	printf 'element vertex 8\nproperty float x\nproperty float y\nproperty float z\n'
+	printf 'element face 12\nproperty list uchar int vertex_indices\nproperty list uchar float texcoord\nend_header\n'
+	sed -n -e '3,10p' -e '11,$s/$/ 6 0 0 1 0 0 1/p' box.off
+} >skinned/box.ply
+for ending in ply obj; do
+	rm -rf skinless/pictures
+	works skinless/out.$ending --size 5 skinned/box.ply skinless/out.$ending A
+	cmp -s picture.png skinless/pictures/skin.png || fail "the texture of a .$ending file did not come along"
+	cp box.off skinless/pictures/skin.png
+	"$label" --size 5 skinned/box.ply skinless/other.$ending A >said 2>&1 && fail "a texture was replaced"
+	grep -q 'would replace another' said && [ ! -e skinless/other.$ending ] && cmp -s box.off skinless/pictures/skin.png ||
+		fail "a texture of the same name: $(cat said)"
+done
+works skinless/out.stl --size 5 skinned/box.ply skinless/out.stl A  # has no textures
+works skinned/out.ply --size 5 skinned/box.ply skinned/out.ply A && cmp -s picture.png skinned/pictures/skin.png ||
+	fail "the part's own texture was changed"
 
 for order in '--color ff0000 --set tint=false' '--set tint=false --color ff0000'; do
 	# shellcheck disable=SC2086  # several arguments
@@ -324,6 +357,8 @@ refused 1 'cannot read the mesh' nonsense.stl out.stl A
 refused 1 'does not exist' box.off nowhere/out.stl A
 refused 1 'cannot be (written|made)' box.off /proc/out.stl A
 refused 1 'is a folder' box.off "$work" A
+mkfifo pipe.stl && refused 1 'is a pipe' box.off pipe.stl A
+[ -p pipe.stl ] || fail 'a pipe was replaced'
 refused 1 'output is empty' box.off '' A
 refused 1 'flat label is a colour.*\.ply' --style flat box.off out.dae A
 refused 1 'picture would be written over' --picture box.off box.off out.stl A
@@ -403,7 +438,6 @@ refused 1 'direction is zero' --at 30,20,10 --direction 0,0,0 box.off out.stl A
 refused 1 'up points along the line of sight' --at 30,20,10 --direction 0,0,2 --up 0,0,-1 box.off out.stl A
 refused 1 'no (faces|mesh)|cannot read' empty.off out.stl A
 refused 1 'no faces' cloud.ply out.stl A
-refused 1 'more than three corners' "${at[@]}" quads.off out.stl A
 refused 1 'there is room for (9\.[0-9]+|10)[^0-9]' --at 30,20,10 --size 8 --style engrave --depth 12 box.off out.stl A
 refused 1 'another part of the surface|fold' --at 15,40,32.5 --size 8 --depth 60 --along surface groove.off out.stl A
 

@@ -1,11 +1,14 @@
 """Files that are more than one plain mesh: several objects, matrices, textures; and what is there when a save fails."""
 
+import collections
 import contextlib
+import os
 import unittest
 
 from python_support import (
     BOX_TRIANGLES,
     MESHES,
+    QUADS,
     InFolder,
     Mesh,
     box_points,
@@ -202,6 +205,44 @@ class Saves(InFolder):
     def test_numbers_are_those_that_were_written(self):
         report = textlabel.label(MESHES / "bracket.stl", "A4", self.folder / "out.stl", size=9.1, depth=0.3)
         self.assertEqual((report["size"], report["depth"]), (9.1, 0.3))
+
+    def test_a_box_of_quads(self):
+        """Only the one under the letters becomes triangles."""
+        points = box_points(40, 30, 10)
+        lines = ["v {} {} {}".format(*point) for point in points]
+        lines += ["f " + " ".join(str(corner + 1) for corner in quad) for quad in QUADS]
+        (self.folder / "quads.obj").write_text("\n".join(lines) + "\n")
+        for style, sign in (("Emboss", 1), ("Engrave", -1), ("Flat", 0)):
+            out = self.folder / f"{style}.obj"
+            report = textlabel.label(self.folder / "quads.obj", "A4", out, style=style, position=(20, 15, 10), **PLACE)
+            faces = [line.split()[1:] for line in out.read_text().splitlines() if line.startswith("f ")]
+            corners = collections.Counter(map(len, faces))
+            self.assertEqual(corners[4], 5)
+            self.assertEqual(corners[3], 2 + report["triangles_added"])
+            meshes = pymeshlab.MeshSet()
+            meshes.load_new_mesh(str(out))
+            mesh = meshes.current_mesh()
+            solid = volume(Mesh(mesh.vertex_matrix(), mesh.face_matrix()))
+            self.assertAlmostEqual(solid, 12000 + sign * report["label_area"], delta=0.01)
+
+    def test_a_pipe_is_not_replaced(self):
+        os.mkfifo(self.folder / "pipe")
+        os.mkfifo(self.folder / "pipe.stl")
+        with self.assertRaisesRegex(textlabel.LabelError, "a pipe"):
+            textlabel.label(MESHES / "bracket.stl", "A4", self.folder / "pipe.stl")
+        self.assertTrue((self.folder / "pipe.stl").is_fifo())
+        for name in ("report", "outline"):
+            with self.assertRaisesRegex(textlabel.LabelError, "pipe"):
+                textlabel.label(MESHES / "bracket.stl", "A4", self.folder / "out.stl", **{name: self.folder / "pipe"})
+        self.assertTrue((self.folder / "pipe").is_fifo())
+        self.assertFalse((self.folder / "out.stl").exists())
+
+    def test_a_link_stays(self):
+        (self.folder / "far").mkdir()
+        (self.folder / "out.stl").symlink_to(self.folder / "far" / "real.stl")
+        textlabel.label(MESHES / "bracket.stl", "A4", self.folder / "out.stl")
+        self.assertTrue((self.folder / "out.stl").is_symlink())
+        self.assertEqual(surface_faults(read_stl(self.folder / "far" / "real.stl")), [])
 
     def test_textures_come_along(self):
         part = write_textured_box(self.folder / "part", "pictures/skin.png")

@@ -6,7 +6,7 @@ import os
 import shutil
 import unittest
 
-from python_support import MESHES, InFolder, np, pymeshlab, run_module, write_textured_box
+from python_support import MESHES, SOURCE, InFolder, np, pymeshlab, run_module, write_textured_box
 
 import textlabel
 from textlabel import tasks
@@ -256,6 +256,17 @@ class CommandLine(InFolder):
         self.run_serial(BRACKET, "--count", "3", *PLACE[:-1], "1.5", "--overwrite")
         lines = (out / "manifest.jsonl").read_text().splitlines()
         self.assertEqual([json.loads(line)["report"]["depth"] for line in lines], [1.5] * 3)
+
+    def test_a_font_file_that_has_changed(self):
+        fonts = SOURCE / "filter_textlabel" / "fonts"
+        font = self.folder / "font.ttf"
+        shutil.copy(fonts / "DejaVuSans-Bold.ttf", font)
+        arguments = [BRACKET, "--count", "2", *PLACE, "--font", "font.ttf#0"]
+        self.run_serial(*arguments)
+        self.assertIn("2 were there", self.run_serial(*arguments))
+        font.write_bytes(font.read_bytes() + b"\0")  # a byte that no table holds
+        self.assertIn("another part, font", self.run_serial(*arguments, status=2))
+        self.assertIn("2 made", self.run_serial(*arguments, "--overwrite"))
 
     def test_one_run_at_a_time(self):
         import fcntl

@@ -32,9 +32,9 @@ for the templates. Templates hold fields in braces: {part} (name of the mesh wit
 {n:04}), {text}, any column.
 
 The folder gets the files, the materials and textures that belong to them, and manifest.jsonl, one JSON object for each
-file: file, text, sha256, the part and its sha256, settings and report. Run the same command again after an
-interruption: what is there and whole is kept. Serials that stand twice are refused before anything starts; rows that
-fail do not stop the others and are listed at the end and in failed.csv."""
+file: file, text, sha256, the part, its sha256 and that of a font file, settings and report. Run the same command again
+after an interruption: what is there and whole is kept. Serials that stand twice are refused before anything starts;
+rows that fail do not stop the others and are listed at the end and in failed.csv."""
 
 SHOWN = 20  # failed rows on the terminal
 

@@ -22,6 +22,16 @@ def sha256(path):
         return digest.hexdigest()
 
 
+def font_file(font):
+    """The file that a font names, behind which a face or axes may stand, as font.ttc#1; None for a family."""
+    while not os.path.isfile(font):
+        cut = max(font.rfind(":"), font.rfind("#"))
+        if cut < 0:
+            return None
+        font = font[:cut]
+    return font
+
+
 def refuse_clash(waiting, target, remedy):
     """Raise Clash when moving would change another file's texture. Materials have the file's name in theirs.
 

@@ -90,7 +90,7 @@ class Part:
             )
 
     def _is_beside(self, output):
-        folder = os.path.dirname(os.path.abspath(output))
+        folder = os.path.dirname(os.path.realpath(output))
         return os.path.isdir(folder) and os.path.samefile(folder, self._folder)
 
     def _textures_beside(self, output):
@@ -200,8 +200,10 @@ def _save(mesh_set, output, untouched=()):
     untouched: textures that stay as they are when they are there.
     """
     output = os.fspath(output)
-    target = pathlib.Path(os.path.abspath(output))
+    target = pathlib.Path(os.path.realpath(output))  # of a link, what it names: the link stays
     folder = None
+    if target.exists() and not target.is_file():
+        raise LabelError(f"'{output}' cannot be written: it is a folder, a pipe or a device. Give a file name.")
     try:
         folder = pathlib.Path(tempfile.mkdtemp(prefix=".textlabel-", dir=target.parent))
         waiting = folder / target.name

@@ -7,7 +7,7 @@ import signal
 import sys
 
 from .crew import Crew
-from .files import Clash, sha256
+from .files import Clash, font_file, sha256
 from .manifest import Manifest
 from .progress import Progress
 from .tasks import Problem, UsageError, serial_of
@@ -37,7 +37,8 @@ def run(tasks, problems, folder, jobs, overwrite=False, quiet=False):
     outcome = Outcome(problems=list(problems))
     try:
         hashes = {part: sha256(part) for part in {task.part for task in tasks}}
-        entries = {task.file: _entry(task, hashes[task.part]) for task in tasks}
+        fonts = {font: sha256(file) for font in {_font(task) for task in tasks} if (file := font_file(font))}
+        entries = {task.file: _entry(task, hashes[task.part], fonts.get(_font(task))) for task in tasks}
         _refuse_used_serials(tasks, manifest)
         again, open_tasks = _sort_out(tasks, entries, manifest, overwrite)
         outcome.kept = len(tasks) - len(open_tasks)
@@ -61,20 +62,25 @@ def _open_manifest(folder):
         raise UsageError(f"The folder {folder} cannot be written to: {error.strerror}.") from None
 
 
-def _entry(task, part_hash):
-    """The manifest's line of a task, but for what the run finds out."""
+def _font(task):
+    return task.settings.get("font", "")
+
+
+def _entry(task, part_hash, font_hash):
+    """The manifest's line of a task, but for what the run finds out. font_hash: None without a font file."""
     return {
         "file": task.file,
         "text": task.text,
         "part": task.part.name,
         "row": task.row,
         "part_sha256": part_hash,
+        "font_sha256": font_hash,
         "settings": task.settings,
     }
 
 
 def _is_same(entry, other):
-    return all(entry.get(name) == other[name] for name in ("text", "part_sha256", "settings"))
+    return all(entry.get(name) == other[name] for name in ("text", "part_sha256", "font_sha256", "settings"))
 
 
 def _refuse_used_serials(tasks, manifest):
@@ -100,7 +106,7 @@ def _sort_out(tasks, entries, manifest, overwrite):
             continue
         foreign = before is None and (manifest.folder / task.file).exists()
         if (foreign or (before is not None and not same)) and not overwrite:
-            why = "is not in the manifest" if foreign else "was made from another part, text or settings"
+            why = "is not in the manifest" if foreign else "was made from another part, font, text or settings"
             raise UsageError(
                 f"The file '{task.file}' is in the folder and {why}. "
                 "Nothing was started; take another folder, or replace such files by --overwrite."
