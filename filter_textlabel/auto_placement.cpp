@@ -185,11 +185,17 @@ bool OfferPlaces(const PlaceQuery& query, const Part& part, const Effort& effort
 
 bool OfferPlaces(const PlaceQuery& query, const std::function<bool(const Place&)>& accept)
 {
-	const Part part = MakePart(query.positions, query.triangles);
+	Part part = MakePart(query.positions, query.triangles, query.paint);
 	if (!IsQueryUsable(query) || part.faces.empty()) return false;
 	std::vector<Place> places;
-	return OfferPlaces(query, part, quickEffort, accept, places) ||
-	       OfferPlaces(query, part, ThoroughEffort(query, part), accept, places);
+	const auto offer = [&] {
+		return OfferPlaces(query, part, quickEffort, accept, places) ||
+		       OfferPlaces(query, part, ThoroughEffort(query, part), accept, places);
+	};
+	if (offer()) return true;
+	if (part.paint.empty()) return false;
+	part.paint.clear();
+	return offer();
 }
 
 }  // namespace textlabel

@@ -8,6 +8,7 @@
 // Source: Slabaugh et al., section 5 (future work): "automatically positions the label on the surface".
 
 #include <array>
+#include <cstdint>
 #include <functional>
 #include <vector>
 #include <vcg/space/point3.h>
@@ -20,9 +21,10 @@ struct PlaceQuery {
 	const std::vector<std::array<int, 3>>& triangles;  ///< #F by 3, counter-clockwise seen from outside
 	double labelWidth = 0;                             ///< of the text's bounding box at capital height 1
 	double labelHeight = 0;
-	double size = -1;          ///< wanted capital height, or -1: choose one that fits
-	double depth = 0;          ///< signed: > 0 raised, < 0 sunk (needs a wall of that thickness)
-	vcg::Point3d up{0, 0, 0};  ///< wanted up of the text, or zero: choose
+	double size = -1;                       ///< wanted capital height, or -1: choose one that fits
+	double depth = 0;                       ///< signed: > 0 raised, < 0 sunk (needs a wall of that thickness)
+	vcg::Point3d up{0, 0, 0};               ///< wanted up of the text, or zero: choose
+	std::vector<std::uint32_t> paint = {};  ///< #F: colours whose borders the text should not run across; or empty
 };
 
 /// Where the centre of the text's bounding box goes, and what the label will find there.
@@ -37,7 +39,8 @@ struct Place {
 };
 
 /// Offer places for a text one by one, best first, until `accept` takes one (the library may refuse a place for reasons that
-/// an image does not show). Flat places come before curved ones, and those with a wall thick enough for query.depth first.
+/// an image does not show). Flat places come before curved ones, and those with a wall thick enough for query.depth first; places
+/// across the border of two colours come last.
 /// @return true when one was accepted; false without any offer when the mesh has no finite triangle, the label no extent,
 ///         or the wanted size fits nowhere
 /// @post every place faces the viewer, is the first surface seen there, and has no step, hole or silhouette under the text

@@ -64,9 +64,11 @@ inline std::array<double, 2> FaceSlope(const Part& part, const DepthImage& image
 	return {-(area * image.axes.right) / facing, -(area * image.axes.up) / facing};
 }
 
-/// May a label go on from pixel a to its neighbour b (axis 0: right, 1: up)? The step must be explained by their slopes.
+/// May a label go on from pixel a to its neighbour b (axis 0: right, 1: up)? The step must be explained by their slopes, and their
+/// colour be the same: another one may be an earlier label's.
 inline bool GoesOn(const Part& part, const DepthImage& image, size_t a, size_t b, size_t axis, const Smoothness& rule)
 {
+	if (!part.paint.empty() && part.paint[size_t(image.face[a])] != part.paint[size_t(image.face[b])]) return false;
 	if (image.face[a] == image.face[b] && rule.trustNormals) return true;
 	const double step = (image.depth[b] - image.depth[a]) / image.grid.pixel;
 	if (!rule.trustNormals) return std::abs(step) <= rule.maxStep;

@@ -72,7 +72,11 @@ template <class MeshType>
 PartProbe LabelJob<MeshType>::probe() const
 {
 	return {boxes_.world, [this](const SightLine& line) { return HitsOnLine(m_, toWorld_, line); },
-	        [this] { return GeometryOf(m_, toWorld_); }};
+	        [this] {
+				PartGeometry geometry = GeometryOf(m_, toWorld_);
+				geometry.paint = PaintOf(m_);
+				return geometry;
+			}};
 }
 
 /// The camera for placements that have one. A window's view becomes the request's camera, read back from its text, so that the

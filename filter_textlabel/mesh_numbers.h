@@ -6,6 +6,7 @@
 #include "vcg_ext/parallel_chunks.h"
 #include "vcg_ext/validate.h"
 
+#include <algorithm>
 #include <array>
 #include <limits>
 #include <vcg/complex/complex.h>
@@ -135,6 +136,27 @@ PartGeometry GeometryOf(const MeshType& m, const vcg::Matrix44d& toWorld)
 		part.triangles.push_back({vertex(0), vertex(mirrors ? 2 : 1), vertex(mirrors ? 1 : 2)});
 	}
 	return part;
+}
+
+/// The colours of the triangles of GeometryOf. Labels have a few; a painted surface has many, and these part nothing.
+/// @return #triangles: a number for each colour; empty when there is only one, or when there are many
+template <class MeshType>
+std::vector<std::uint32_t> PaintOf(const MeshType& m)
+{
+	constexpr size_t most = 16;
+	std::vector<std::uint32_t> paint, colors;
+	if (!vcg::tri::HasPerFaceColor(m)) return paint;
+	for (const auto& f : m.face) {
+		if (f.IsD()) continue;
+		const auto& c = f.cC();
+		paint.push_back(std::uint32_t(c[0]) << 16 | std::uint32_t(c[1]) << 8 | std::uint32_t(c[2]));
+		if (!colors.empty() && colors.back() == paint.back()) continue;
+		const auto known = std::find(colors.begin(), colors.end(), paint.back());
+		if (known == colors.end()) colors.push_back(paint.back());
+		else std::iter_swap(known, colors.end() - 1);  // the next face often has the same
+		if (colors.size() > most) return {};
+	}
+	return colors.size() > 1 ? paint : std::vector<std::uint32_t>();
 }
 
 /// Which triangles of GeometryOf are among some faces of the mesh.

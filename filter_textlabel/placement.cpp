@@ -230,8 +230,9 @@ bool OfferAnywhere(const LabelRequest& request, double size, const PartProbe& pa
 {
 	const TextExtent extent = ExtentOf(request, size, text);
 	const vcg::Point2d turned = TurnedExtent(extent, request.rotation);
-	const PartGeometry geometry = part.geometry();
+	PartGeometry geometry = part.geometry();
 	PlaceQuery query{geometry.positions, geometry.triangles};
+	query.paint = std::move(geometry.paint);
 	query.labelWidth = turned[0];
 	query.labelHeight = turned[1];
 	query.size = size;

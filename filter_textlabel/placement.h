@@ -26,6 +26,7 @@ struct Attempt {
 struct PartGeometry {
 	std::vector<vcg::Point3d> positions;        ///< #V by 3
 	std::vector<std::array<int, 3>> triangles;  ///< #F by 3, counter-clockwise seen from outside
+	std::vector<std::uint32_t> paint;           ///< #F: their colours, where these may be labels; or empty
 };
 
 /// What a placement asks of the part.

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <vector>
 #include <vcg/space/box3.h>
 #include <vcg/space/point3.h>
@@ -19,6 +20,7 @@ struct Part {
 	std::vector<vcg::Point3d> points;  ///< #V by 3, relative to center; those that no face uses are put on one that is
 	std::vector<std::array<int, 3>> faces;  ///< #F by 3, only finite faces of positive area
 	std::vector<vcg::Point3d> areas;        ///< #F by 3, area vectors: along the normal, as long as the face is large
+	std::vector<std::uint32_t> paint;       ///< #F: colours that a text does not run across; or empty
 	vcg::Point3d center{0, 0, 0};           ///< of the bounding box of the faces, mesh units
 	double diagonal = 0;                    ///< of that box
 };
@@ -44,20 +46,24 @@ inline ViewAxes AxesFrom(const vcg::Point3d& towards, const vcg::Point3d& up)
 inline ViewAxes QuarterTurned(const ViewAxes& axes) { return {axes.up, -axes.right, axes.towards}; }
 
 /// Keep what can be looked at: faces with three finite, existing corners and a positive, finite area.
-inline Part MakePart(const std::vector<vcg::Point3d>& positions, const std::vector<std::array<int, 3>>& triangles)
+/// @param[in] paint  #triangles, or empty
+inline Part MakePart(const std::vector<vcg::Point3d>& positions, const std::vector<std::array<int, 3>>& triangles,
+                     const std::vector<std::uint32_t>& paint = {})
 {
 	Part part;
 	const int count = int(positions.size());
 	const auto exists = [&](int v) { return v >= 0 && v < count && IsFinite(positions[size_t(v)]); };
 	std::vector<char> isUsed(positions.size(), 0);
 	vcg::Box3d box;
-	for (const std::array<int, 3>& face : triangles) {
+	for (size_t f = 0; f < triangles.size(); ++f) {
+		const std::array<int, 3>& face = triangles[f];
 		if (!exists(face[0]) || !exists(face[1]) || !exists(face[2])) continue;
 		const vcg::Point3d& a = positions[size_t(face[0])];
 		const vcg::Point3d area = ((positions[size_t(face[1])] - a) ^ (positions[size_t(face[2])] - a)) / 2;
 		if (!IsFinite(area) || !(area.SquaredNorm() > 0)) continue;
 		part.faces.push_back(face);
 		part.areas.push_back(area);
+		if (!paint.empty()) part.paint.push_back(paint[f]);
 		for (int v : face) {
 			isUsed[size_t(v)] = 1;
 			box.Add(positions[size_t(v)]);

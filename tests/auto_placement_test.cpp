@@ -331,6 +331,38 @@ TEST(AutoPlacement, UnitAndOriginDoNotMatter)
 	}
 }
 
+// A colour beside another may be a flat label that is there already.
+TEST(AutoPlacement, DoesNotRunAcrossColours)
+{
+	const BlockPart block = Box(60, 40, 10);
+	const Triangles part = SurfaceOf(block);
+	PlaceQuery query{part.positions, part.triangles};
+	query.labelWidth = 2.3;
+	query.labelHeight = 1;
+	query.size = 8;
+	query.up = {0, 1, 0};
+	const Place middle = FirstPlaces(query, 1).at(0);
+	EXPECT_NEAR(middle.position[0], 30, 2);
+	EXPECT_NEAR(middle.position[1], 20, 2);
+	const auto isPainted = [](const Point3d& p) {
+		return p[2] == 10 && p[0] > 20 && p[0] < 40 && p[1] > 16 && p[1] < 24;
+	};
+	for (const auto& t : part.triangles) {
+		const auto at = [&](size_t k) { return part.positions[size_t(t[k])]; };
+		query.paint.push_back(isPainted((at(0) + at(1) + at(2)) / 3) ? 0x0000ff : 0xffffff);
+	}
+	for (const Place& place : FirstPlaces(query)) {
+		int painted = 0;
+		for (const Point3d& p : BoxPoints(place, {query.labelWidth, query.labelHeight})) painted += isPainted(p);
+		EXPECT_EQ(painted, 0) << place.position[0] << ", " << place.position[1] << ", " << place.position[2];
+	}
+	// where there is no room beside it, across is better than nowhere
+	for (size_t f = 0; f < query.paint.size(); ++f) query.paint[f] = std::uint32_t(f);
+	const std::vector<Place> across = FirstPlaces(query, 1);
+	ASSERT_EQ(across.size(), 1u);
+	EXPECT_EQ(across[0].position, middle.position);
+}
+
 TEST(AutoPlacement, OffersUntilOneIsTaken)
 {
 	const Triangles part = SurfaceOf(Box(60, 20, 40));

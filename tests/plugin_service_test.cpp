@@ -284,6 +284,40 @@ TEST(Service, TellsLengthsAreasAndVolumesAsTheLayersMatrixScalesThem)
 	EXPECT_NEAR(report.after.volume - report.before.volume, report.labelArea * 20, 1e-4 * report.labelArea * 20);
 }
 
+double AreaOf(const Mesh& m, const vcg::Color4b& color)
+{
+	double area = 0;
+	for (const auto& f : m.face)
+		if (!f.IsD() && f.cC() == color) area += double(vcg::DoubleArea(f)) / 2;
+	return area;
+}
+
+TEST(Service, AFlatLabelIsNotPrintedOverByTheNext)
+{
+	Mesh m;
+	MakePlate(m, 5);
+	for (auto& f : m.face) f.C() = vcg::Color4b(255, 255, 255, 255);
+	LabelRequest request;
+	request.placement = PlacementKind::Automatic;
+	request.style = LabelStyle::Flat;
+	request.size = 8;
+	double letters = 0;
+	for (int i = 1; i <= 3; ++i) {
+		request.color = {0, 0, static_cast<unsigned char>(i)};
+		const LabelReport report = RunOn(m, request).report;
+		if (i == 1) letters = report.labelArea;
+		EXPECT_NEAR(AreaOf(m, vcg::Color4b(0, 0, 1, 255)), letters, 1e-3 * letters) << "after label " << i;
+	}
+	// on a painted part colours part nothing, and a label goes where it would without
+	Mesh painted;
+	MakePlate(painted, 5);
+	for (size_t f = 0; f < painted.face.size(); ++f)
+		painted.face[f].C() = vcg::Color4b(static_cast<unsigned char>(f), 0, 0, 255);
+	Mesh plain;
+	MakePlate(plain, 5);
+	EXPECT_EQ(RunOn(painted, request).report.view.anchor, RunOn(plain, request).report.view.anchor);
+}
+
 TEST(Service, LooksForARegionThatHoldsLettersAsBoldAsAskedFor)
 {
 	LabelRequest request;
