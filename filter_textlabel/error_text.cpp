@@ -94,6 +94,9 @@ std::string PlaceText(const Error& error, const ErrorContext& context)
 		return letter + " is partly hidden from the viewer by another surface" + where +
 		       ". Look at the place from another side, or move the label.";
 	case ErrorCode::BehindCamera:
+		if (error.value > 0)
+			return letter + " would rise to the camera" + where +
+			       ". Use a smaller depth, or move the camera away from the part.";
 		return letter + " lies on a surface that reaches behind the camera" + where +
 		       ". Move the camera away from the part.";
 	case ErrorCode::Grazing:

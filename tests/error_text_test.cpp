@@ -34,6 +34,17 @@ TEST(ErrorText, GrazingFromBehind)
 	EXPECT_EQ(text.find("8"), std::string::npos) << text;
 }
 
+// What is raised to the camera is too high; a surface that reaches behind it is another matter.
+TEST(ErrorText, BehindTheCamera)
+{
+	using namespace vcg::textlabel;
+	const std::string raised = textlabel::ErrorText(Error(ErrorCode::BehindCamera).measured(12, 0), {}),
+					  surface = textlabel::ErrorText(Error(ErrorCode::BehindCamera), {});
+	EXPECT_NE(raised.find("smaller depth"), std::string::npos) << raised;
+	EXPECT_EQ(surface.find("depth"), std::string::npos) << surface;
+	ExpectReadable(raised);
+}
+
 }  // namespace
 
 TEST(ErrorText, EveryCodeOfTheLibraryHasItsOwn)

@@ -118,6 +118,7 @@ TEST(Refusal, RaisedPastTheCamera)
 	for (const double height : {10.5, 12.0, 25.0}) {
 		const Error e = Refused(Plate(), Letters({Rectangle(-3, -3, 3, 3)}), FromAbovePerspective(10), height);
 		EXPECT_CODE(e, BehindCamera);
+		EXPECT_EQ(e.value, height);  // the height is what is wrong
 	}
 }
 

@@ -20,14 +20,14 @@ enum class ErrorCode {
 	EmptyMesh,  ///< no vertex, no face (a point cloud), or no finite face
 	TooLarge,   ///< `value` vertices or faces, `limit` can be numbered
 	// the place
-	OffSurface,    ///< a letter, or a piece of it, falls beside the surface
-	FacesAway,     ///< the first surface seen there shows its back: normals turned round, or the camera inside
-	Border,        ///< the label runs over an open border or a hole
-	Silhouette,    ///< the label runs over the horizon of the part as seen from the viewpoint
-	NonManifold,   ///< an edge of three or more faces, or two faces of opposite orientation, lies under the label
-	Occluded,      ///< another surface hides a piece of the label from the viewer
-	BehindCamera,  ///< the surface under the label reaches behind the centre of projection
-	Grazing,       ///< too steep to the view: `value` is the stretch, infinite from behind; `limit` the largest allowed
+	OffSurface,   ///< a letter, or a piece of it, falls beside the surface
+	FacesAway,    ///< the first surface seen there shows its back: normals turned round, or the camera inside
+	Border,       ///< the label runs over an open border or a hole
+	Silhouette,   ///< the label runs over the horizon of the part as seen from the viewpoint
+	NonManifold,  ///< an edge of three or more faces, or two faces of opposite orientation, lies under the label
+	Occluded,     ///< another surface hides a piece of the label from the viewer
+	BehindCamera,  ///< the surface under the label reaches behind the centre of projection, or the label raised by `value` does
+	Grazing,  ///< too steep to the view: `value` is the stretch, infinite from behind; `limit` the largest allowed
 	// the result
 	TooFine,  ///< finer than the coordinates carry: `value` the finest detail, 0: one with the mesh's own; `limit` needed
 	HitsSurface,  ///< the raised or sunk label meets another part of the surface: `limit` is the depth that fits

@@ -148,7 +148,8 @@ inline LabelPatch RaiseLabel(const LabelSpace& space, const Sheet& sheet, const 
 			                                                                    : normal[size_t(i)];
 			if (!space.isInFront(p.label + direction * height))
 				throw Error(ErrorCode::BehindCamera, "the label would rise to the centre of projection")
-					.atPlace(p.mesh);
+					.atPlace(p.mesh)
+					.measured(height, 0);
 			return p.mesh + space.vectorToMesh(direction * height);
 		};
 		for (const ContourPiece& piece : cut.pieces) {  // each contour point is the start of one piece
