@@ -8,9 +8,9 @@
         part.label(f"A{number:04}", f"out/A{number:04}.stl")
 
 Every keyword is a parameter of the filter: textlabel.defaults() has all of them. Reports are dictionaries of plain
-values: triangles_added, label_area, volume_before, volume_after, anchor, normal, stretch, border_edges, genus,
-milliseconds and more. What cannot be done raises LabelError, whose text says what is wrong, where, and what to do;
-nothing has changed then.
+values: triangles_added, label_area, volume_before, volume_after, anchor, normal, stretch, milliseconds and more; where
+the part has at most 50,000 triangles, or a report is asked for, border_edges and genus (of an oriented manifold) too.
+What cannot be done raises LabelError, whose text says what is wrong, where, and what to do; nothing has changed then.
 
 `python -m textlabel --help` is the command line, with serial numbers on many parts.
 """
