@@ -195,6 +195,7 @@ bool OfferPlaces(const PlaceQuery& query, const std::function<bool(const Place&)
 	if (offer()) return true;
 	if (part.paint.empty()) return false;
 	part.paint.clear();
+	places.clear();
 	return offer();
 }
 

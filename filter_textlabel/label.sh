@@ -123,6 +123,9 @@ elif [ ${#files[@]} -gt 3 ]; then
 	wrong "INPUT, OUTPUT and TEXT are all that is needed, and '${files[3]}' is one more; write a text with blanks in quotes"
 fi
 input=${files[0]} output=${files[1]}
+if [ -e "$output" ] && [ ! -f "$output" ] && [ ! -d "$output" ]; then
+	refuse "The output '$output' is a pipe or a device. Give a file name."
+fi
 if [ -L "$output" ]; then output=$(realpath -m -- "$output"); fi  # what a link names is written, and the link stays
 if [ -n "$at" ]; then
 	parameters+=("position=$at" ${direction:+"direction=$direction"})
@@ -141,22 +144,24 @@ parameters+=("text=${files[2]}")
 is_flat=
 is_tinted=  # by the parameter tint; a colour without it means that letters get it
 has_color=
-devices=()  # parameters that name a device, as /dev/stdout: it gets a copy in the end, as the filter replaces what it writes
-copies=()   # file, device, ...
+declare -A streams=()  # parameter: the stream that gets a copy in the end, as the filter puts files in their places
 declare -A ending_of=([report]=json [picture]=png [outline]=svg)
 written=(${input:+"$(absolute "$input")"} ${output:+"$(absolute "$output")"})
 for i in "${!parameters[@]}"; do
 	name=${parameters[i]%%=*} value=${parameters[i]#*=}
 	case $name in
 	report | picture | outline)
+		case $value in
+		/dev/stdout) streams[$name]=1 && continue ;;
+		/dev/stderr) streams[$name]=2 && continue ;;
+		/dev/fd/[0-9] | /dev/fd/[0-9][0-9]) streams[$name]=${value##*/} && continue ;;
+		esac
+		unset "streams[$name]"  # of two the last one counts
 		[ -n "$value" ] || continue
-		if [[ $value == /dev/* ]]; then
-			devices+=("$i")
-			continue
-		fi
 		value=$(absolute "$value")
 		for other in "${written[@]}"; do
-			[ "$value" != "$other" ] || refuse "The $name would be written over '$other'. Give it a name of its own."
+			[ "$(realpath -m -- "$value")" != "$(realpath -m -- "$other")" ] ||
+				refuse "The $name would be written over '$other'. Give it a name of its own."
 		done
 		written+=("$value")
 		parameters[i]=$name=$value
@@ -181,7 +186,6 @@ if [[ ${input,,} == *.obj ]]; then
 fi
 [ -n "$output" ] || refuse "The name of the output is empty. Give a file name."
 [ ! -d "$output" ] || refuse "The output '$output' is a folder. Give a file name."
-[ ! -e "$output" ] || [ -f "$output" ] || refuse "The output '$output' is a pipe or a device. Give a file name."
 folder=$(dirname -- "$output")
 [ -d "$folder" ] || refuse "The folder of '$output' does not exist. Make it first, or choose another one."
 [ -w "$folder" ] || refuse "The folder of '$output' cannot be written to. Choose another one."
@@ -217,11 +221,7 @@ check_room() { # SIZE
 	rm -- "$work/room"
 }
 
-for i in "${devices[@]}"; do
-	name=${parameters[i]%%=*}
-	copies+=("$work/$name.${ending_of[$name]}" "${parameters[i]#*=}")
-	parameters[i]=$name=$work/$name.${ending_of[$name]}
-done
+for name in "${!streams[@]}"; do parameters+=("$name=$work/$name.${ending_of[$name]}"); done
 find_plugin
 check_room 512K  # a copy of meshlabserver comes first
 "$script_program" "${parameters[@]}" >"$work/label.mlx" || wrong "a value cannot be used"
@@ -307,16 +307,19 @@ textures=()
 if ! [ "$folder" -ef "$source_folder" ]; then
 	while IFS= read -r texture; do
 		[ -f "$source_folder/$texture" ] || continue  # it is as missing there
+		if cmp -s -- "$source_folder/$texture" "$folder/$texture"; then continue; fi
 		[[ /$texture/ != //* && /$texture/ != */../* ]] ||
 			refuse "The texture '$texture' of '$input' is outside the mesh's folder. Put it beside the mesh, and so in the file that names it."
-		[ ! -e "$folder/$texture" ] || cmp -s -- "$source_folder/$texture" "$folder/$texture" ||
-			refuse "The texture '$texture' of '$input' would replace another one, '$folder/$texture'. Choose another folder."
+		[ ! -e "$folder/$texture" ] || refuse "The texture '$texture' of '$input' would replace another one, '$folder/$texture'. Choose another folder."
 		textures+=("$texture")
 	done < <(texture_names)
 fi
 
 # ---- the output appears as a whole or not at all
 
+for name in "${!streams[@]}"; do
+	cat -- "$work/$name.${ending_of[$name]}" >&"${streams[$name]}" || refuse "The $name could not be written to where it should go."
+done
 fresh=$(mktemp -- "$folder/.textlabel-XXXXXX") || refuse "The folder of '$output' cannot be written to. Choose another one."
 chmod --reference="$work/label.mlx" -- "$fresh"
 materials=$work/labelled.$ending.mtl
@@ -332,9 +335,6 @@ for texture in "${textures[@]}"; do
 		refuse "'$folder/$texture' could not be written. Is the disk full?"
 done
 cp -- "$work/labelled.$ending" "$fresh" && mv -f -- "$fresh" "$output" || refuse "'$output' could not be written. Is the disk full?"
-for ((i = 0; i < ${#copies[@]}; i += 2)); do
-	cat -- "${copies[i]}" >"${copies[i + 1]}" || refuse "'${copies[i + 1]}' could not be written, but '$output' is labelled."
-done
 if [ -n "$colors" ] && [ "${ending,,}" = stl ]; then
 	echo "label.sh: the letters' colour is in '$output', but few programs read colours from an STL file. Name it .ply or .obj instead." >&2
 fi

@@ -142,17 +142,4 @@ INSTANTIATE_TEST_SUITE_P(Polygons, FauxEdges, testing::ValuesIn(PolygonCases()),
 	return std::string(c.param.name) + (height > 0 ? "Raised" : height < 0 ? "Sunk" : "Flat");
 });
 
-// What is refused leaves the polygons as they were.
-TEST(Polygons, StayWhenALabelIsRefused)
-{
-	FloatMesh m;
-	const Shape box = test_mesh::Box(30, 20, 6);
-	test_mesh::Fill(m, box);
-	MarkPolygons(m, Pairs(box));
-	const int faux = CountFaux(m);
-	EXPECT_EQ(faux, 12);
-	EXPECT_THROW(LabelMesh(m, Letters({Rectangle(10, -5, 20, 5)}), FromAbove()), Error);
-	EXPECT_EQ(CountFaux(m), faux);
-}
-
 }  // namespace

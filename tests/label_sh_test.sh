@@ -243,11 +243,14 @@ grep -q '<svg' flat.svg 2>/dev/null || fail "no outline"
 
 # A report for a pipe, and an output that is a link: what it names is written.
 rm -f out.stl
-"$label" --report /dev/stdout --outline /dev/null --size 5 box.off out.stl A43 2>said | grep -q '^{.*"text":"A43".*}$' ||
+"$label" --report /dev/stdout --size 5 box.off out.stl A43 2>said | grep -q '^{.*"text":"A43".*}$' ||
 	fail "no report on standard output: $(cat said)"
-[ -c /dev/null ] || fail "/dev/null was replaced"
+echo before >reports
+"$label" --report report.json --report /dev/stdout --size 5 box.off out.stl A43 >>reports && [ "$(grep -c . reports)" = 2 ] && grep -qx before reports ||
+	fail "a report at the end of a file: $(cat reports)"
 mkdir -p files && ln -s files/real.stl link.stl
 "$label" --size 5 box.off link.stl A43 && [ -L link.stl ] && sound files/real.stl || fail "the link was replaced"
+"$label" --size 5 --report link.stl box.off link.stl A43 2>said && fail "a report over the output, by a link"
 
 # Polygons with more than three corners.
 works out.stl --at 30,20,10 --size 8 --depth 0.5 quads.off out.stl A43 && sound out.stl
@@ -307,8 +310,15 @@ for ending in ply obj; do
 		fail "a texture of the same name: $(cat said)"
 done
 works skinless/out.stl --size 5 skinned/box.ply skinless/out.stl A  # has no textures
-works skinned/out.ply --size 5 skinned/box.ply skinned/out.ply A && cmp -s picture.png skinned/pictures/skin.png ||
-	fail "the part's own texture was changed"
+inode=$(stat -c %i skinned/pictures/skin.png)
+works skinned/out.ply --size 5 skinned/box.ply skinned/out.ply A && [ "$(stat -c %i skinned/pictures/skin.png)" = "$inode" ] ||
+	fail "the part's own texture was written anew"
+sed 's|pictures/skin|../pictures/skin|' skinned/box.ply >skinned/up.ply
+mkdir -p pictures && cp picture.png pictures/skin.png
+works skinless/up.ply --size 5 skinned/up.ply skinless/up.ply A || fail "a texture beside both folders"
+mkdir -p deeper/skinless
+"$label" --size 5 skinned/up.ply deeper/skinless/up.ply A >said 2>&1 && fail "a texture outside was left behind"
+grep -q "outside the mesh's folder" said || fail "a texture outside: $(cat said)"
 
 for order in '--color ff0000 --set tint=false' '--set tint=false --color ff0000'; do
 	# shellcheck disable=SC2086  # several arguments
@@ -357,6 +367,8 @@ refused 1 'cannot read the mesh' nonsense.stl out.stl A
 refused 1 'does not exist' box.off nowhere/out.stl A
 refused 1 'cannot be (written|made)' box.off /proc/out.stl A
 refused 1 'is a folder' box.off "$work" A
+refused 1 'null' --report /dev/null box.off out.stl A
+[ -c /dev/null ] || fail '/dev/null was replaced'
 mkfifo pipe.stl && refused 1 'is a pipe' box.off pipe.stl A
 [ -p pipe.stl ] || fail 'a pipe was replaced'
 refused 1 'output is empty' box.off '' A

@@ -207,34 +207,58 @@ class Saves(InFolder):
         self.assertEqual((report["size"], report["depth"]), (9.1, 0.3))
 
     def test_a_box_of_quads(self):
-        """Only the one under the letters becomes triangles."""
-        points = box_points(40, 30, 10)
-        lines = ["v {} {} {}".format(*point) for point in points]
-        lines += ["f " + " ".join(str(corner + 1) for corner in quad) for quad in QUADS]
-        (self.folder / "quads.obj").write_text("\n".join(lines) + "\n")
+        """Only the one under the letters becomes triangles; in formats without quads, all of them do."""
+        part = self.write_quads("quads.obj", box_points(40, 30, 10))
         for style, sign in (("Emboss", 1), ("Engrave", -1), ("Flat", 0)):
-            out = self.folder / f"{style}.obj"
-            report = textlabel.label(self.folder / "quads.obj", "A4", out, style=style, position=(20, 15, 10), **PLACE)
-            faces = [line.split()[1:] for line in out.read_text().splitlines() if line.startswith("f ")]
-            corners = collections.Counter(map(len, faces))
-            self.assertEqual(corners[4], 5)
-            self.assertEqual(corners[3], 2 + report["triangles_added"])
-            meshes = pymeshlab.MeshSet()
-            meshes.load_new_mesh(str(out))
-            mesh = meshes.current_mesh()
-            solid = volume(Mesh(mesh.vertex_matrix(), mesh.face_matrix()))
-            self.assertAlmostEqual(solid, 12000 + sign * report["label_area"], delta=0.01)
+            for ending in ("obj", "off", "ply", "stl"):
+                out = self.folder / f"{style}.{ending}"
+                report = textlabel.label(part, "A4", out, style=style, position=(20, 15, 10), **PLACE)
+                self.assertAlmostEqual(self.volume_of(out), 12000 + sign * report["label_area"], delta=0.01)
+            corners = self.corners_of(self.folder / f"{style}.obj")
+            self.assertEqual(corners, {4: 5, 3: 2 + report["triangles_added"]})
+
+    def test_quads_that_would_lose_something(self):
+        """MeshLab writes polygons without textures, and in single precision with seven decimals."""
+        part = write_textured_box(self.folder / "part")
+        lines = [line for line in part.read_text().splitlines() if not line.startswith("f ")]
+        lines += ["f " + " ".join(f"{corner + 1}/{corner + 1}" for corner in quad) for quad in QUADS]
+        part.write_text("\n".join(lines) + "\n")
+        textlabel.label(part, "A4", self.folder / "textured.obj")
+        self.assertIn("map_Kd skin.png", (self.folder / "textured.obj.mtl").read_text())
+        tiny = self.write_quads("tiny.obj", np.array(box_points(40, 30, 10)) * 1e-5)
+        far = self.write_quads("far.obj", np.array(box_points(40, 30, 10)) + 4e6)
+        for part, scale, origin in ((tiny, 1e-5, 0), (far, 1, 4e6)):
+            out = self.folder / f"labelled-{part.name}"
+            report = textlabel.label(part, "A4", out, depth=0.1 * scale)
+            added = report["label_area"] * 0.1 * scale
+            self.assertAlmostEqual(self.volume_of(out, origin), 12000 * scale**3 + added, delta=0.02 * added)
+
+    def write_quads(self, name, points):
+        lines = ["v {:.12g} {:.12g} {:.12g}".format(*point) for point in points]
+        lines += ["f " + " ".join(str(corner + 1) for corner in quad) for quad in QUADS]
+        (self.folder / name).write_text("\n".join(lines) + "\n")
+        return self.folder / name
+
+    def volume_of(self, path, origin=0):
+        meshes = pymeshlab.MeshSet()
+        meshes.load_new_mesh(str(path))
+        mesh = meshes.current_mesh()
+        return volume(Mesh(mesh.vertex_matrix() - origin, mesh.face_matrix()))
+
+    def corners_of(self, path):
+        """How many faces of an OBJ file have so many corners."""
+        return collections.Counter(len(line.split()) - 1 for line in path.read_text().splitlines() if line.startswith("f "))
 
     def test_a_pipe_is_not_replaced(self):
-        os.mkfifo(self.folder / "pipe")
+        os.mkfifo(self.folder / "fifo")
         os.mkfifo(self.folder / "pipe.stl")
         with self.assertRaisesRegex(textlabel.LabelError, "a pipe"):
             textlabel.label(MESHES / "bracket.stl", "A4", self.folder / "pipe.stl")
         self.assertTrue((self.folder / "pipe.stl").is_fifo())
         for name in ("report", "outline"):
-            with self.assertRaisesRegex(textlabel.LabelError, "pipe"):
-                textlabel.label(MESHES / "bracket.stl", "A4", self.folder / "out.stl", **{name: self.folder / "pipe"})
-        self.assertTrue((self.folder / "pipe").is_fifo())
+            with self.assertRaisesRegex(textlabel.LabelError, "written"):
+                textlabel.label(MESHES / "bracket.stl", "A4", self.folder / "out.stl", **{name: self.folder / "fifo"})
+        self.assertTrue((self.folder / "fifo").is_fifo())
         self.assertFalse((self.folder / "out.stl").exists())
 
     def test_a_link_stays(self):

@@ -56,7 +56,7 @@ Outcome Run(MeshType& m, const Outline& outline, double height, long allocations
 	return outcome;
 }
 
-/// A mesh without room for a label, with arrays that other filters have added.
+/// A mesh without room for a label, with arrays that other filters have added, and edges within polygons.
 template <class MeshType>
 struct TightMesh {
 	using Allocator = vcg::tri::Allocator<MeshType>;
@@ -67,6 +67,7 @@ struct TightMesh {
 	explicit TightMesh(const test_mesh::Shape& shape)
 	{
 		test_mesh::Fill(mesh, shape);
+		for (auto& f : mesh.face) f.SetF(0);
 		mesh.vert.shrink_to_fit();
 		mesh.face.shrink_to_fit();
 		first = Allocator::template AddPerVertexAttribute<double>(mesh, "first");

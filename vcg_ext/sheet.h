@@ -2,7 +2,8 @@
 // The sheet: the triangles that a label could touch, and how they hang together.
 //
 // One linear pass over the mesh finds the triangles whose projection meets the label's box, but for those that show their backs
-// deeper than the label may reach. No other step of a label looks at the whole mesh, but for growing its arrays (grow_mesh.h).
+// deeper than the label may reach. No other step of a label looks at the whole mesh, but for growing its arrays (grow_mesh.h) and for
+// what is left of polygons (faux_edges.h).
 // Adjacency is built among these candidates only, from their vertex indices. A candidate's half-edge h = 3 t + k runs from corner
 // k to corner k+1 of triangle t:
 //

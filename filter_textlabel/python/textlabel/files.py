@@ -24,6 +24,7 @@ def sha256(path):
 
 def font_file(font):
     """The file that a font names, behind which a face or axes may stand, as font.ttc#1; None for a family."""
+    font = font.strip()
     while not os.path.isfile(font):
         cut = max(font.rfind(":"), font.rfind("#"))
         if cut < 0:

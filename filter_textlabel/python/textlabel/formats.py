@@ -15,6 +15,7 @@ WITH_SINGLES = (*WITH_DOUBLES, ".stl")  # at least: what a label is checked for
 WITH_FACE_COLORS = (".ply", ".obj", ".off", ".stl")
 WITHOUT_TEXTURES = (".stl", ".off")
 LOSSY = (".ctm",)
+POLYGON_STEP = 1e-7  # of an OBJ file with polygons, whose coordinates are written in single precision, too
 SAVED_DIGITS = 6  # of the others: significant ones, or decimals (.3mf)
 
 FLAT = CHOICES["style"].index("Flat")
@@ -23,6 +24,22 @@ FLAT = CHOICES["style"].index("Flat")
 def takes_textures(output):
     """Whether a mesh is saved there with its textures."""
     return _ending(output) not in WITHOUT_TEXTURES
+
+
+def save_options(mesh, report, output):
+    """Keywords for save_current_mesh().
+
+    mesh: the labelled pymeshlab.Mesh. report: of its label. Polygons of more than three corners are written as such where nothing
+    is lost by it: of an OFF file MeshLab turns them round, of an OBJ file it leaves textures and digits away.
+    """
+    options = {"save_textures": takes_textures(output)}
+    if _ending(output) == ".off":
+        options["save_polygonal"] = False
+    if _ending(output) == ".obj":
+        has_texture = mesh.has_wedge_tex_coord() or mesh.has_vertex_tex_coord()
+        is_too_fine = not report["survives_float32"] or report["coordinate_step"] < POLYGON_STEP
+        options["save_polygonal"] = not has_texture and not is_too_fine
+    return options
 
 
 def refuse_lost_color(values, output):

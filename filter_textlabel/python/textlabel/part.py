@@ -27,12 +27,13 @@ def label(mesh, text, output=None, **parameters):
     outline or the output could not be written, which the text says, it is labelled.
     """
     if isinstance(mesh, pymeshlab.MeshSet):
+        output = _resolved(output)
         if output is not None and formats.takes_textures(output):
             _refuse_far_textures(mesh, "the mesh")
         report = _apply(mesh, text, parameters, output)
         if output is not None:
             formats.refuse_lost_precision(mesh.current_mesh(), report, output)
-            _save_in_place(mesh, output)
+            _save_in_place(mesh, output, report)
         return report
     if output is None:
         raise LabelError("Labelling a file needs an output: the file to write.")
@@ -65,6 +66,7 @@ class Part:
 
     def label(self, text, output, **parameters):
         """Write the part with the text cut into it to the file output; see label()."""
+        output = _resolved(output)
         self._set.set_current_mesh(self._original)
         if formats.takes_textures(output):
             self._refuse_lost_textures()
@@ -74,7 +76,7 @@ class Part:
         try:
             report = _apply(self._set, text, parameters, output)
             formats.refuse_lost_precision(self._set.current_mesh(), report, output)
-            _save(self._set, output, untouched)
+            _save(self._set, output, report, untouched)
         finally:
             self._set.delete_current_mesh()
             self._set.clear_filter_script()  # it would grow with each label
@@ -90,7 +92,7 @@ class Part:
             )
 
     def _is_beside(self, output):
-        folder = os.path.dirname(os.path.realpath(output))
+        folder = os.path.dirname(output)
         return os.path.isdir(folder) and os.path.samefile(folder, self._folder)
 
     def _textures_beside(self, output):
@@ -134,16 +136,16 @@ def _freeze_matrix(mesh_set):
         mesh_set.apply_filter("meshing_invert_face_orientation", forceflip=True)
 
 
-def _save_in_place(mesh_set, output):
+def _save_in_place(mesh_set, output, report):
     """Write the caller's current mesh as its matrix shows it, and leave it as it is."""
     if not _has_matrix(mesh_set):
-        _save(mesh_set, output)
+        _save(mesh_set, output, report)
         return
     original = mesh_set.current_mesh_id()
     mesh_set.apply_filter("generate_copy_of_current_mesh")
     try:
         _freeze_matrix(mesh_set)
-        _save(mesh_set, output)
+        _save(mesh_set, output, report)
     finally:
         mesh_set.delete_current_mesh()
         mesh_set.set_current_mesh(original)
@@ -194,20 +196,24 @@ def _refuse_far_textures(mesh_set, name):
             )
 
 
-def _save(mesh_set, output, untouched=()):
+def _resolved(output):
+    """The path of the file to write: of a link, what it names, so that the link stays. None stays None."""
+    return None if output is None else os.path.realpath(output)
+
+
+def _save(mesh_set, output, report, untouched=()):
     """Write the current mesh, as a whole or not at all.
 
-    untouched: textures that stay as they are when they are there.
+    report: of its label. untouched: textures that stay as they are when they are there.
     """
-    output = os.fspath(output)
-    target = pathlib.Path(os.path.realpath(output))  # of a link, what it names: the link stays
+    target = pathlib.Path(output)
     folder = None
-    if target.exists() and not target.is_file():
+    if os.path.exists(target) and not os.path.isfile(target):
         raise LabelError(f"'{output}' cannot be written: it is a folder, a pipe or a device. Give a file name.")
     try:
         folder = pathlib.Path(tempfile.mkdtemp(prefix=".textlabel-", dir=target.parent))
         waiting = folder / target.name
-        mesh_set.save_current_mesh(str(waiting), save_textures=formats.takes_textures(output))
+        mesh_set.save_current_mesh(str(waiting), **formats.save_options(mesh_set.current_mesh(), report, output))
         files.leave_there(waiting, target, untouched)
         files.refuse_clash(waiting, target, "Choose another folder.")
         files.move(waiting, target)

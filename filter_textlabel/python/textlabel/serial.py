@@ -80,7 +80,9 @@ def _entry(task, part_hash, font_hash):
 
 
 def _is_same(entry, other):
-    return all(entry.get(name) == other[name] for name in ("text", "part_sha256", "font_sha256", "settings"))
+    font = other["font_sha256"]
+    is_same_font = entry.get("font_sha256", font) == font  # older manifests do not have it
+    return is_same_font and all(entry.get(name) == other[name] for name in ("text", "part_sha256", "settings"))
 
 
 def _refuse_used_serials(tasks, manifest):
