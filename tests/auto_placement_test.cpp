@@ -351,7 +351,9 @@ TEST(AutoPlacement, DoesNotRunAcrossColours)
 		const auto at = [&](size_t k) { return part.positions[size_t(t[k])]; };
 		query.paint.push_back(isPainted((at(0) + at(1) + at(2)) / 3) ? 0x0000ff : 0xffffff);
 	}
-	for (const Place& place : FirstPlaces(query)) {
+	const std::vector<Place> beside = FirstPlaces(query);
+	ASSERT_FALSE(beside.empty());
+	for (const Place& place : beside) {
 		int painted = 0;
 		for (const Point3d& p : BoxPoints(place, {query.labelWidth, query.labelHeight})) painted += isPainted(p);
 		EXPECT_EQ(painted, 0) << place.position[0] << ", " << place.position[1] << ", " << place.position[2];

@@ -4,7 +4,7 @@
 // All that can fail (memory) happens first; then slots of removed faces are taken by the new ones, the rest is appended. Faces that
 // the label does not touch keep index, vertices and attributes bit for bit; the old vertices keep theirs, but for those within a
 // raised letter, which move with it. Attributes of new vertices are mixed from the corners of the triangle in which they lie, new
-// faces take those of their birth face.
+// faces take those of their birth face, but for its faux edges; polygons end where the label begins (faux_edges.h).
 
 #include "faux_edges.h"
 #include "grow_mesh.h"

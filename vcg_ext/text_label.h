@@ -54,7 +54,8 @@ inline void RequireCountable(size_t vertices, size_t faces)
 /// @param[in] outline  simple, disjoint, nested contours in the label plane (contour.h)
 /// @param[in] frame  where the label plane lies and from where it is projected
 /// @post  same topology class; the surface outside the letters is the same set of points; faces that no letter touches are the same
-///        bit for bit, but for faux edges that they had in common with touched ones; valid also after rounding to float32 and merging equal points, unless survivesFloat32 says otherwise
+///        bit for bit, but for faux edges that they had in common with touched ones; valid also after rounding to float32 and
+///        merging equal points, unless survivesFloat32 says otherwise
 /// @note  for the caller to bring up to date, as after any of VCGlib's algorithms that add faces: normals, the bounding box, FF and VF
 ///        adjacency and border flags of what is new (LabelResult lists it). Flags, colours and the like of a new face are those of
 ///        the one that it is a piece of, or stands on; custom attributes of what is appended have their default value
