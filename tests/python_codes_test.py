@@ -3,7 +3,7 @@
 import sys
 import unittest
 
-from python_support import MESHES, SKIPPED, InFolder, read_stl, surface_faults
+from python_support import MESHES, SKIPPED, InFolder, read_stl, run_module, surface_faults
 
 import textlabel
 
@@ -60,6 +60,15 @@ class Codes(InFolder):
         place = {"position": (0, -27, 0), "direction": (0, -1, 0), "up": (0, 0, 1), "size": 12}
         report = self.check("QR Code", "QRCode", "PN16-0042", None, part="valve.stl", style="Engrave", **place)
         self.assertGreater(report["stretch"], 1)
+
+    def test_beside_its_text_in_series(self):
+        also = ["--also", "{text}", "--at", "0,-2,2.5", "--direction", "0,0,-1", "--size", "24", "--code", "data matrix"]
+        job = ["serial", MESHES / "bracket.stl", "--count", "3", "--text", "PN-{n:04}", "--output", self.folder / "out", "--quiet"]
+        done = run_module(*job, "--size", "7", *also, "--set", f"picture={self.folder}/{{text}}.png")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        for number in (1, 2, 3):
+            self.assertIn(("DataMatrix", f"PN-000{number}"), read_codes(self.folder / f"PN-000{number}.png"))
+            self.assertEqual(surface_faults(read_stl(self.folder / "out" / f"bracket-PN-000{number}.stl")), [])
 
     def test_what_does_not_fit_is_refused(self):
         with self.assertRaisesRegex(textlabel.LabelError, "cannot be written as Micro QR Code .*choose another code"):

@@ -107,7 +107,7 @@ class Tables(InFolder):
 
     def test_settings_of_a_row_over_those_of_the_job(self):
         rows = self.read("text,size,depth\nA1,5,\nA2,,2\n")
-        made, _ = tasks.make_tasks(rows, self.plan(settings={"size": "7", "style": "engrave"}), self.folder)
+        made, _ = tasks.make_tasks(rows, self.plan(settings={"size": Template("7"), "style": Template("engrave")}), self.folder)
         self.assertEqual(made[0].settings, {"size": "5", "style": "engrave"})
         self.assertEqual(made[1].settings, {"size": "7", "style": "engrave", "depth": "2"})
 
@@ -160,7 +160,7 @@ class Tables(InFolder):
         rows = self.read("text,picture\nA1,a.png\nA2,b.png\n")
         self.assertEqual(len(tasks.make_tasks(rows, self.plan(), self.folder)[0]), 2)
         with self.assertRaises(tasks.UsageError) as caught:
-            tasks.make_tasks(rows, self.plan(settings={"report": "r.json"}), self.folder)
+            tasks.make_tasks(rows, self.plan(settings={"report": Template("r.json")}), self.folder)
         self.assertIn("same report, 'r.json'", str(caught.exception))
 
     def test_names_that_leave_the_folder(self):

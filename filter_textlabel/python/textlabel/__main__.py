@@ -9,7 +9,7 @@ import sys
 
 from . import serial, tasks
 from .part import label
-from .plugin import LabelError, check_place, parse_value
+from .plugin import LabelError, check_name, check_place, parse_value
 from .tasks import UsageError
 from .template import Template, TemplateError
 
@@ -21,6 +21,10 @@ serial   One labelled file for each row of a table (CSV), or for each number, an
            python -m textlabel serial bracket.stl --csv serials.csv --output out
            python -m textlabel serial bracket.stl housing.stl --count 1000 --output out
 
+--also   Another label on each part. What follows it, up to the next --also, says where and how it is:
+
+           python -m textlabel label bracket.stl labelled.stl A43 --at 0,-20,8 --also "PN 4711" --code "data matrix"
+
 exit     0 all labelled; 1 refused, or some rows failed; 2 wrong usage, nothing was started; 130 interrupted"""
 
 SERIAL = """\
@@ -29,7 +33,7 @@ Make one labelled file for each row and part.
 The table has a header line. Its columns: text (the serial), part (a mesh file, beside the table or one of PART; without
 it every PART is labelled), any parameter of the filter (size, depth, position, ...: it counts for its row), and others
 for the templates. Templates hold fields in braces: {part} (name of the mesh without ending), {n} (number of the row, as
-{n:04}), {text}, any column.
+{n:04}), {text}, any column. The texts of further labels (--also) are templates, and so are all values of parameters.
 
 The folder gets the files, the materials and textures that belong to them, and manifest.jsonl, one JSON object for each
 file: file, text, sha256, the part, its sha256 and that of a font file, settings and report. Run the same command again
@@ -98,10 +102,45 @@ def _add_parameters(parser):
     for flag, name, text in FLAGS:
         group.add_argument(flag, dest=f"set_{name}", metavar=name.upper(), help=text)
     group.add_argument("--set", action="append", default=[], metavar="NAME=VALUE", help="any parameter of the filter")
+    group.add_argument("--also", metavar="TEXT", help="another label on the part; the options that follow are its own")
 
 
-def _settings(arguments):
-    """Parameters of the filter as texts."""
+def _parse(arguments):
+    """The command, and in its `also` the further labels: namespaces with a text and parameters."""
+    own, *others = _split(_join_negative(arguments))
+    parser = argparse.ArgumentParser(prog="textlabel ... --also TEXT", add_help=False, allow_abbrev=False)
+    _add_parameters(parser)
+    also = []
+    for words in others:
+        if not words:
+            raise UsageError("--also needs a text, that of the further label.")
+        label, rest = parser.parse_known_args(words[1:])
+        label.text = words[0]
+        also.append(label)
+        own += rest  # options of the command may stand anywhere
+    parsed = _parser().parse_args(own)
+    parsed.also = also
+    return parsed
+
+
+def _split(arguments):
+    """The arguments before the first --also, and those after each."""
+    parts = [[]]
+    for index, argument in enumerate(arguments):
+        if argument == "--":
+            parts[-1] += arguments[index:]
+            break
+        if argument == "--also":
+            parts.append([])
+        elif argument.startswith("--also="):
+            parts.append([argument.removeprefix("--also=")])
+        else:
+            parts[-1].append(argument)
+    return parts
+
+
+def _settings(arguments, is_template=False):
+    """Parameters of the filter as texts. is_template: those with a brace are not yet values."""
     settings = {name: getattr(arguments, f"set_{name}") for _, name, _ in FLAGS}
     settings = {name: text for name, text in settings.items() if text is not None}
     for assignment in arguments.set:
@@ -113,20 +152,33 @@ def _settings(arguments):
         settings[name] = text
     try:
         for name, text in settings.items():
-            parse_value(name, text)
+            if is_template and "{" in text:
+                check_name(name)
+            else:
+                parse_value(name, text)
     except LabelError as error:
         raise UsageError(str(error)) from None
     return settings
 
 
 def _label(arguments):
-    settings = {name: parse_value(name, text) for name, text in _settings(arguments).items()}
+    first, *also = [_values(each) for each in (arguments, *arguments.also)]
+    print(json.dumps(label(arguments.input, first.pop("text"), arguments.output, also, **first), indent=1))
+    return 0
+
+
+def _values(arguments):
+    """Text and parameters of a label."""
+    values = {name: parse_value(name, text) for name, text in _settings(arguments).items()}
     try:
-        check_place(settings)
+        check_place(values)
     except LabelError as error:
         raise UsageError(str(error)) from None
-    print(json.dumps(label(arguments.input, arguments.text, arguments.output, **settings), indent=1))
-    return 0
+    return {**values, "text": arguments.text}
+
+
+def _templates(arguments):
+    return {name: Template(text) for name, text in _settings(arguments, is_template=True).items()}
 
 
 def _serial(arguments):
@@ -138,7 +190,8 @@ def _serial(arguments):
         text=Template(text) if text else None,
         name=Template(arguments.name or ("{part}-{text}" if arguments.csv or arguments.text else "{text}")),
         ending=arguments.format.lstrip("."),
-        settings=_settings(arguments),
+        settings=_templates(arguments),
+        also=[tasks.Extra(Template(more.text), _templates(more)) for more in arguments.also],
     )
     missing = [str(part) for part in plan.parts if not part.is_file()]
     if missing:
@@ -182,8 +235,8 @@ def _join_negative(arguments):
 
 def main(arguments=None):
     """Run the command line; returns the exit status."""
-    parsed = _parser().parse_args(_join_negative(sys.argv[1:] if arguments is None else arguments))
     try:
+        parsed = _parse(sys.argv[1:] if arguments is None else arguments)
         return _label(parsed) if parsed.command == "label" else _serial(parsed)
     except LabelError as error:
         print(f"textlabel: {error}", file=sys.stderr)

@@ -26,11 +26,20 @@ def takes_textures(output):
     return _ending(output) not in WITHOUT_TEXTURES
 
 
+def strictest(reports):
+    """What all labels on a part together ask of its file, as a report that the functions below take."""
+    return {
+        "survives_float32": all(report["survives_float32"] for report in reports),
+        "coordinate_step": min(report["coordinate_step"] for report in reports),
+        "size": min(report["size"] for report in reports),
+    }
+
+
 def save_options(mesh, report, output):
     """Keywords for save_current_mesh().
 
-    mesh: the labelled pymeshlab.Mesh. report: of its label. Polygons of more than three corners are written as such where nothing
-    is lost by it: of an OFF file MeshLab turns them round, of an OBJ file it leaves textures and digits away.
+    mesh: the labelled pymeshlab.Mesh. report: of its label, or strictest(). Polygons of more than three corners are written as
+    such where nothing is lost by it: of an OFF file MeshLab turns them round, of an OBJ file it leaves textures and digits away.
     """
     options = {"save_textures": takes_textures(output)}
     if _ending(output) == ".off":
@@ -54,7 +63,7 @@ def refuse_lost_color(values, output):
 def refuse_lost_precision(mesh, report, output):
     """Raise LabelError for letters finer than what the format keeps apart: far from the origin, very small, or in few digits.
 
-    mesh: the labelled pymeshlab.Mesh. report: of its label.
+    mesh: the labelled pymeshlab.Mesh. report: of its label, or strictest().
     """
     ending = _ending(output)
     if not report["survives_float32"] and ending not in WITH_DOUBLES:

@@ -10,34 +10,38 @@ import numpy as np
 import pymeshlab
 
 from . import files, formats
-from .plugin import FILTER, LabelError, check_values, load_plugin
+from .plugin import FILTER, WRITTEN, LabelError, check_values, load_plugin
 
 NO_TEXTURE = "dummy.png"  # what MeshLab calls the picture in place of a texture that it cannot load
 WITH_TEXTURES_INSIDE = (".glb", ".gltf", ".3mf")  # endings: a file of a texture's name need not be that texture
 
 
-def label(mesh, text, output=None, **parameters):
-    """Label one part with a text.
+def label(mesh, text, output=None, also=(), **parameters):
+    """Label one part with a text, or with several.
 
     mesh: a mesh file; or a pymeshlab.MeshSet, whose current mesh is labelled in place.
     output: the file to write; None for a MeshSet that is to be worked on further.
+    also: further labels on the part of a file, put there one after the other: [{"text": "4711", "code": "qr code"}].
     parameters: of the filter, see defaults(). A position without a placement means "Point and direction", a camera
     "Camera"; a colour, as "ff8000" or (255, 128, 0), means that raised letters get it too.
-    Returns the report. Raises LabelError; a MeshSet is then as it was, and no file is written. Only where a report, picture,
-    outline or the output could not be written, which the text says, it is labelled.
+    Returns the report; with further labels theirs are in it, as "also". Raises LabelError; a MeshSet is then as it was, and
+    no file is written. Only where a report, picture, outline or the output could not be written, which the text says, it is
+    labelled.
     """
     if isinstance(mesh, pymeshlab.MeshSet):
+        if also:
+            raise LabelError("A MeshSet takes one label at a time. Label it once for each text.")
         output = _resolved(output)
         if output is not None and formats.takes_textures(output):
             _refuse_far_textures(mesh, "the mesh")
-        report = _apply(mesh, text, parameters, output)
+        report = _apply(mesh, {**parameters, "text": text}, output)
         if output is not None:
             formats.refuse_lost_precision(mesh.current_mesh(), report, output)
             _save_in_place(mesh, output, report)
         return report
     if output is None:
         raise LabelError("Labelling a file needs an output: the file to write.")
-    return Part(mesh).label(text, output, **parameters)
+    return Part(mesh).label(text, output, also, **parameters)
 
 
 class Part:
@@ -64,23 +68,35 @@ class Part:
         """Names of the part's textures, as its file has them."""
         return list(self._set.mesh(self._original).textures())
 
-    def label(self, text, output, **parameters):
+    def label(self, text, output, also=(), **parameters):
         """Write the part with the text cut into it to the file output; see label()."""
+        labels = [{**parameters, "text": text}, *_checked_labels(also)]
         output = _resolved(output)
         self._set.set_current_mesh(self._original)
         if formats.takes_textures(output):
             self._refuse_lost_textures()
             _refuse_far_textures(self._set, f"the mesh '{self.path}'")
         untouched = self._textures_beside(output)
+        if len(labels) > 1 and any(values.get(name) for values in labels for name in WRITTEN):
+            with self._copied():  # the files of the first are not written for a part whose second is refused
+                _apply_all(self._set, [{**values, **dict.fromkeys(WRITTEN, "")} for values in labels], output)
+        with self._copied():
+            reports = _apply_all(self._set, labels, output)
+            strictest = formats.strictest(reports)
+            formats.refuse_lost_precision(self._set.current_mesh(), strictest, output)
+            _save(self._set, output, strictest, untouched)
+        return {**reports[0], "also": reports[1:]} if also else reports[0]
+
+    @contextlib.contextmanager
+    def _copied(self):
+        """A copy of the part is the current mesh meanwhile."""
+        self._set.set_current_mesh(self._original)
         self._set.apply_filter("generate_copy_of_current_mesh")
         try:
-            report = _apply(self._set, text, parameters, output)
-            formats.refuse_lost_precision(self._set.current_mesh(), report, output)
-            _save(self._set, output, report, untouched)
+            yield
         finally:
             self._set.delete_current_mesh()
             self._set.clear_filter_script()  # it would grow with each label
-        return report
 
     def _refuse_lost_textures(self):
         """MeshLab takes a picture of its own for a texture that it cannot load, and would save that one."""
@@ -159,9 +175,31 @@ def _color_faces(mesh_set):
         mesh_set.apply_filter("compute_color_by_function_per_face", r="255", g="255", b="255", a="255")
 
 
-def _apply(mesh_set, text, parameters, output):
+def _checked_labels(also):
+    """The further labels. Raises LabelError when they are something else."""
+    is_list = isinstance(also, (list, tuple))
+    if not is_list or not all(isinstance(values, dict) and "text" in values for values in also):
+        raise LabelError("Further labels are a list of dictionaries with a text each, as [{'text': '4711', 'size': 8}].")
+    return also
+
+
+def _apply_all(mesh_set, labels, output):
+    """Cut labels into the current mesh, one after the other; their reports. Of several, a refusal says which one it was."""
+    reports = []
+    for values in labels:
+        try:
+            reports.append(_apply(mesh_set, values, output))
+        except LabelError as error:
+            if len(labels) == 1:
+                raise
+            raise LabelError(f"Label '{values['text']}': {error}") from error
+    return reports
+
+
+def _apply(mesh_set, values, output):
+    """Cut a label into the current mesh. values: of the filter's parameters, the text among them. Returns the report."""
     load_plugin()
-    values = check_values({**parameters, "text": text})
+    values = check_values(values)
     if output is not None:
         formats.refuse_lost_color(values, output)
     try:
@@ -204,7 +242,7 @@ def _resolved(output):
 def _save(mesh_set, output, report, untouched=()):
     """Write the current mesh, as a whole or not at all.
 
-    report: of its label. untouched: textures that stay as they are when they are there.
+    report: of its label, or strictest(). untouched: textures that stay as they are when they are there.
     """
     target = pathlib.Path(output)
     folder = None

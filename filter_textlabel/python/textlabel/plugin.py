@@ -10,6 +10,8 @@ import pymeshlab
 FILTER = "apply_text_label"
 VARIABLE = "TEXTLABEL_PYMESHLAB_PLUGIN"  # environment: the plugin's path
 
+WRITTEN = ("report", "picture", "outline")  # parameters: files that a label writes beside its mesh
+
 CHOICES = {  # of the filter, by number
     "style": ["Emboss", "Engrave", "Flat"],
     "placement": ["Current view", "Camera", "Point and direction", "Automatic"],

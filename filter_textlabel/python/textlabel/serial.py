@@ -37,8 +37,9 @@ def run(tasks, problems, folder, jobs, overwrite=False, quiet=False):
     outcome = Outcome(problems=list(problems))
     try:
         hashes = {part: sha256(part) for part in {task.part for task in tasks}}
-        fonts = {font: sha256(file) for font in {_font(task) for task in tasks} if (file := font_file(font))}
-        entries = {task.file: _entry(task, hashes[task.part], fonts.get(_font(task))) for task in tasks}
+        names = {_font(settings) for task in tasks for _, settings in task.labels()}
+        fonts = {font: sha256(file) for font in names if (file := font_file(font))}
+        entries = {task.file: _entry(task, hashes[task.part], fonts) for task in tasks}
         _refuse_used_serials(tasks, manifest)
         again, open_tasks = _sort_out(tasks, entries, manifest, overwrite)
         outcome.kept = len(tasks) - len(open_tasks)
@@ -62,27 +63,30 @@ def _open_manifest(folder):
         raise UsageError(f"The folder {folder} cannot be written to: {error.strerror}.") from None
 
 
-def _font(task):
-    return task.settings.get("font", "")
+def _font(settings):
+    return settings.get("font", "")
 
 
-def _entry(task, part_hash, font_hash):
-    """The manifest's line of a task, but for what the run finds out. font_hash: None without a font file."""
-    return {
+def _entry(task, part_hash, fonts):
+    """The manifest's line of a task, but for what the run finds out. fonts: hashes of the fonts that are files."""
+    entry = {
         "file": task.file,
         "text": task.text,
         "part": task.part.name,
         "row": task.row,
         "part_sha256": part_hash,
-        "font_sha256": font_hash,
+        "font_sha256": fonts.get(_font(task.settings)),
         "settings": task.settings,
     }
+    if task.also:
+        entry["also"] = [{**more, "font_sha256": fonts.get(_font(more["settings"]))} for more in task.also]
+    return entry
 
 
 def _is_same(entry, other):
     font = other["font_sha256"]
     is_same_font = entry.get("font_sha256", font) == font  # older manifests do not have it
-    return is_same_font and all(entry.get(name) == other[name] for name in ("text", "part_sha256", "settings"))
+    return is_same_font and all(entry.get(name) == other.get(name) for name in ("text", "part_sha256", "settings", "also"))
 
 
 def _refuse_used_serials(tasks, manifest):
@@ -149,6 +153,7 @@ def _message(task, manifest):
         "text": task.text,
         "output": os.path.abspath(manifest.unfinished(task.file)),
         "settings": task.settings,
+        "also": task.also,
     }
 
 

@@ -10,7 +10,6 @@ from . import plugin
 from .template import Template, TemplateError, file_part
 
 OWN_COLUMNS = ("part", "text", "n")
-WRITTEN = ("report", "picture", "outline")  # parameters: files that a row writes beside its mesh
 LONGEST_NAME = 240  # bytes; most file systems take 255, and .mtl is put behind it
 
 
@@ -27,6 +26,11 @@ class Task:
     text: str
     file: str  # below the output folder, with slashes
     settings: dict  # parameters of the filter as texts, those of the row over those of the job
+    also: list = dataclasses.field(default_factory=list)  # further labels: [{"text": ..., "settings": ...}]
+
+    def labels(self):
+        """All labels of the file: [(text, settings)]."""
+        return [(self.text, self.settings), *((more["text"], more["settings"]) for more in self.also)]
 
 
 def serial_of(text):
@@ -44,6 +48,14 @@ class Problem:
 
 
 @dataclasses.dataclass
+class Extra:
+    """A further label on each part."""
+
+    text: Template
+    settings: dict  # {parameter: Template}
+
+
+@dataclasses.dataclass
 class Plan:
     """How rows become tasks."""
 
@@ -51,7 +63,15 @@ class Plan:
     text: Template  # of the label; None: the table's column text
     name: Template  # of the file, without ending
     ending: str  # of the files; empty: the part's own
-    settings: dict  # of all rows
+    settings: dict  # of the label, in all rows: {parameter: Template}
+    also: list = dataclasses.field(default_factory=list)  # of Extra
+
+    def fields(self):
+        """Names of the fields in all templates."""
+        templates = [self.name, *self.settings.values()]
+        for more in self.also:
+            templates += [more.text, *more.settings.values()]
+        return {field for template in [*templates, *filter(None, [self.text])] for field in template.fields}
 
 
 def number_rows(first, count):
@@ -102,7 +122,7 @@ def _cells(columns, cells):
 def check_columns(rows, plan):
     """Names of the columns that nothing uses. Raises UsageError when one looks like a misspelt parameter."""
     columns = [name for name in (rows[0][1] if rows else {}) if isinstance(name, str)]
-    used = set(OWN_COLUMNS) | set(plan.name.fields) | set(plan.text.fields if plan.text else ())
+    used = set(OWN_COLUMNS) | plan.fields()
     unused = [name for name in columns if name not in used and name not in plugin.defaults()]
     for name in unused:
         near = plugin.near_names(name)
@@ -137,12 +157,18 @@ def _check_fields(rows, plan):
         raise UsageError("The table has no column 'text': add one, or make the texts by --text TEMPLATE.")
     if plan.text is not None:
         plan.text.check(columns | {"part"})
-    plan.name.check(columns | {"part", "text"})
-    if "direction" in plan.settings:
-        try:
+    for template in [plan.name, *plan.settings.values()]:
+        template.check(columns | {"part", "text"})
+    for more in plan.also:
+        for template in [more.text, *more.settings.values()]:
+            template.check(columns | {"part", "text"})
+    try:
+        if "direction" in plan.settings:
             plugin.check_place(columns | set(plan.settings))
-        except plugin.LabelError as error:
-            raise UsageError(str(error)) from None
+        for more in plan.also:
+            plugin.check_place(more.settings)
+    except plugin.LabelError as error:
+        raise UsageError(str(error)) from None
 
 
 def _parts(values, plan, table_folder):
@@ -160,20 +186,34 @@ def _task(row, part, values, plan):
         raise plugin.LabelError(f"There is no mesh '{part}'. Check its name.")
     fields = {**values, "part": part.stem}
     text = plan.text.fill(fields) if plan.text is not None else fields["text"]
-    if not text.strip():
-        raise plugin.LabelError("The text is empty. Write the serial number into the row.")
-    plugin.check_value("text", text)
-    settings = dict(plan.settings)
+    fields = {**fields, "text": text}
+    settings = _filled(plan.settings, fields)
     settings.update({name: fields[name] for name in plugin.defaults() if name != "text" and fields.get(name)})
-    for name, value in settings.items():
-        plugin.parse_value(name, value)
-    plugin.check_place(settings)
-    return Task(row, part, text, _file_name(part, text, fields, plan), settings)
+    also = [{"text": more.text.fill(fields), "settings": _filled(more.settings, fields)} for more in plan.also]
+    task = Task(row, part, text, _file_name(part, fields, plan), settings, also)
+    for label, parameters in task.labels():
+        if not label.strip():
+            raise plugin.LabelError("The text is empty. Write the serial number into the row.")
+        plugin.check_value("text", label)
+        for name, value in parameters.items():
+            plugin.parse_value(name, value)
+        plugin.check_place(parameters)
+    return task
 
 
-def _file_name(part, text, fields, plan):
-    safe = {name: file_part(value) if isinstance(value, str) else value for name, value in fields.items()}
-    name = plan.name.fill({**safe, "text": file_part(text)})
+def _filled(settings, fields):
+    """The settings of a row. What is put into a file's name has no slashes."""
+    safe = _safe(fields)
+    return {name: each.fill(safe if name in plugin.WRITTEN else fields) for name, each in settings.items()}
+
+
+def _safe(fields):
+    """The fields as parts of file names."""
+    return {name: file_part(value) if isinstance(value, str) else value for name, value in fields.items()}
+
+
+def _file_name(part, fields, plan):
+    name = plan.name.fill(_safe(fields))
     steps = name.split("/")
     if "\\" in name or any(step == "" or step.startswith(".") for step in steps):
         raise UsageError(f"The file name '{name}' would leave the output folder or be hidden. Change --name.")
@@ -183,6 +223,17 @@ def _file_name(part, text, fields, plan):
             "The text makes a file name that is too long. Shorten it, or name the files by --name '{part}-{n}'."
         )
     return file
+
+
+def _written_by(task):
+    """(path, parameter) of all files that a task writes beside its mesh."""
+    paths = [(path, name) for _, settings in task.labels() for name in plugin.WRITTEN if (path := settings.get(name))]
+    for path, name in paths:
+        if [other for other, _ in paths].count(path) > 1:
+            raise UsageError(
+                f"Two labels of row {task.row} would write the same {name}, '{path}'. Nothing was started; name them differently."
+            )
+    return paths
 
 
 def _refuse_duplicates(tasks):
@@ -196,12 +247,11 @@ def _refuse_duplicates(tasks):
                 "Nothing was started; make the serials unique."
             )
         serials[key] = task
-        for name in WRITTEN:
-            path = task.settings.get(name)
-            if path and (first := written.setdefault(path, task)) is not task:
+        for path, name in _written_by(task):
+            if (first := written.setdefault(path, task)) is not task:
                 raise UsageError(
                     f"Rows {first.row} and {task.row} would write the same {name}, '{path}'. "
-                    f"Nothing was started; give each row its own in a column '{name}'."
+                    f"Nothing was started; give each row its own, by fields as '{{part}}-{{n}}' or in a column '{name}'."
                 )
         other = files.setdefault(task.file.casefold(), task)  # some file systems do not tell A from a
         if other is not task and other.row == task.row:

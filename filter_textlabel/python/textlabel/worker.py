@@ -23,12 +23,16 @@ class _Bench:
         try:
             if self._part is None or self._part.path != task["part"]:
                 self._part = Part(task["part"])
-            values = {name: plugin.parse_value(name, text) for name, text in task["settings"].items()}
+            also = [{**_values(more["settings"]), "text": more["text"]} for more in task["also"]]
             os.makedirs(os.path.dirname(task["output"]), exist_ok=True)
-            report = self._part.label(task["text"], task["output"], **values)
+            report = self._part.label(task["text"], task["output"], also, **_values(task["settings"]))
             return {"report": report, "sha256": sha256(task["output"])}
         except plugin.LabelError as error:
             return {"reason": str(error)}
+
+
+def _values(settings):
+    return {name: plugin.parse_value(name, text) for name, text in settings.items()}
 
 
 def main():
