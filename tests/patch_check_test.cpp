@@ -6,6 +6,8 @@
 
 #include "label_check.h"
 
+#include <random>
+
 namespace {
 
 using namespace label_check;
@@ -39,6 +41,30 @@ TEST(PatchCheck, FindsPointsThatRoundingMerges)
 	EXPECT_EQ(Check(e, 1e-9, ExtrudeAlong::Viewpoint, [](double x) { return std::round(x * 1e6) / 1e6; }).fault,
 	          PatchFault::Merged)
 		<< "the top falls back on the surface";
+}
+
+TEST(PatchCheck, FindsVerticesInOnePlaceAsALookAtAllPairsDoes)
+{
+	std::mt19937 random(5);
+	int merged = 0;
+	for (int round = 0; round < 300; ++round) {
+		const double few[] = {0.0, -0.0, 1.0, -1.0, 1e-300, 2.5e9};
+		std::uniform_int_distribution<size_t> choice(0, std::size(few) - 1);
+		std::vector<vcg::Point3d> position(1 + size_t(round) % 40);
+		std::vector<char> marked(position.size());
+		for (vcg::Point3d& p : position) p = {few[choice(random)], few[choice(random)], few[choice(random)]};
+		for (char& m : marked) m = choice(random) < size_t(round) % 5;
+		std::vector<int> pairs;  // of those that are marked, the ones with another in their place
+		for (size_t i = 0; i < position.size(); ++i)
+			for (size_t k = 0; k < position.size(); ++k)
+				if (i != k && marked[i] && position[i] == position[k]) pairs.push_back(int(i));
+		const int found = detail::FindMerged(position, marked);
+		EXPECT_EQ(found < 0, pairs.empty());
+		EXPECT_TRUE(found < 0 || std::count(pairs.begin(), pairs.end(), found)) << found;
+		merged += found >= 0;
+	}
+	EXPECT_GT(merged, 50);
+	EXPECT_LT(merged, 250);
 }
 
 TEST(PatchCheck, FindsFacesThatRoundingTurnsRound)

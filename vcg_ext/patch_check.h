@@ -12,6 +12,7 @@
 
 #include "crossing_search.h"
 #include "patch_suspects.h"
+#include "place_table.h"
 
 namespace vcg::textlabel {
 
@@ -65,22 +66,14 @@ inline Corners CornersOf(const std::vector<vcg::Point3d>& position, const IndexT
 	return {position[size_t(t[0])], position[size_t(t[1])], position[size_t(t[2])]};
 }
 
-/// A vertex that rounding has made one with another; or -1. Only pairs of which one is marked are looked at.
+/// A vertex that rounding has made one with another; or -1. `marked` has one for each position: only pairs of which one is marked are looked at.
 inline int FindMerged(const std::vector<vcg::Point3d>& position, const std::vector<char>& marked)
 {
-	std::vector<int> order;
+	PlaceTable table(position, size_t(std::count(marked.begin(), marked.end(), 1)));
 	for (size_t i = 0; i < marked.size(); ++i)
-		if (marked[i]) order.push_back(int(i));
-	const auto at = [&](int i) -> const vcg::Point3d& { return position[size_t(i)]; };
-	std::sort(order.begin(), order.end(), [&](int a, int b) { return at(a) != at(b) ? at(a) < at(b) : a < b; });
-	for (size_t i = 1; i < order.size(); ++i)
-		if (at(order[i]) == at(order[i - 1])) return order[i];
-	for (size_t i = 0; i < position.size(); ++i) {
-		if (marked[i]) continue;
-		const auto found = std::lower_bound(order.begin(), order.end(), position[i],
-		                                    [&](int a, const vcg::Point3d& p) { return at(a) < p; });
-		if (found != order.end() && at(*found) == position[i]) return *found;
-	}
+		if (marked[i] && table.add(int(i)) >= 0) return int(i);
+	for (size_t i = 0; i < marked.size(); ++i)
+		if (const int found = marked[i] ? -1 : table.find(int(i)); found >= 0) return found;
 	return -1;
 }
 
