@@ -55,16 +55,38 @@ class Also(InFolder):
         self.assertEqual((self.folder / "b.stl").read_bytes(), (self.folder / "alone.stl").read_bytes())
 
     def test_all_or_none(self):
-        picture, report = self.folder / "picture.png", self.folder / "report.json"
-        files = {"picture": picture, "report": report}
-        self.refused("Label '7': ", "Move the position", also=[{"text": "7", **BELOW, "position": (500, 0, 0)}], **files)
-        self.refused("Label 'A43': ", "Move the position", also=[{"text": "7", **BELOW}], position=(500, 0, 0), **files)
-        self.label({"text": "7", **BELOW, "outline": self.folder / "outline.svg"}, **files)
+        first = {"picture": self.folder / "picture.png", "report": self.folder / "report.json"}
+        for words, further in [
+            ("Move the position", {"position": (500, 0, 0)}),
+            ("'/no/such/r.json' .report. cannot be written", {"report": "/no/such/r.json"}),
+            ("the name of a .png file", {"picture": self.folder / "x.gif"}),
+            ("text is a folder|cannot be written", {"outline": self.folder}),
+            ("report takes a text", {"report": 5}),
+            ("The report would be written over .*report.json", {"report": self.folder / "report.json"}),
+            ("The outline would be written over .*out.stl", {"outline": self.folder / "out.stl"}),
+            ("The report would be written over .*bracket.stl", {"report": BRACKET}),
+        ]:
+            with self.subTest(words):
+                with self.assertRaisesRegex(textlabel.LabelError, f"^Label 2 \\('7'\\): .*({words})"):
+                    self.label({"text": "7", **BELOW, **further}, **first)
+                self.assertEqual(list(self.folder.iterdir()), [])
+        self.refused("Label 1 ('A43'): ", "Move the position", also=[{"text": "7", **BELOW}], position=(500, 0, 0), **first)
+        self.refused("would be written over", also=[], report=BRACKET)
+        with self.assertRaisesRegex(textlabel.LabelError, "steps of"):  # of the format, when all labels are cut
+            self.label({"text": "7", **BELOW}, output="x.ctm", **first)
+        self.assertEqual(list(self.folder.iterdir()), [])
+        self.label({"text": "7", **BELOW, "outline": self.folder / "outline.svg"}, **first)
         self.assertEqual(len(list(self.folder.iterdir())), 4)
-        self.assertEqual(json.loads(report.read_text())["text"], "A43")
+        self.assertEqual(json.loads((self.folder / "report.json").read_text())["text"], "A43")
+
+    def test_links_stay_links(self):
+        (self.folder / "link.json").symlink_to(self.folder / "named.json")
+        self.label({"text": "7", **BELOW, "report": self.folder / "link.json"})
+        self.assertTrue((self.folder / "link.json").is_symlink())
+        self.assertEqual(json.loads((self.folder / "named.json").read_text())["text"], "7")
 
     def test_the_file_holds_what_each_needs(self):
-        with self.assertRaisesRegex(textlabel.LabelError, "'7': .*a flat label is a colour"):
+        with self.assertRaisesRegex(textlabel.LabelError, "Label 2 .*a flat label is a colour"):
             self.label({"text": "7", **BELOW, "style": "Flat"}, output="x.dae")
         self.label({"text": "7", **BELOW, "style": "Flat", "color": (0, 0, 255)}, output="x.ply")
         meshes = pymeshlab.MeshSet()
@@ -73,15 +95,17 @@ class Also(InFolder):
         self.assertIn((0, 0, 255), colors)
 
     def test_mistakes(self):
-        for also in ("7", {"text": "7"}, [{"size": 3}], ["7"], None):
+        for also in ("7", {"text": "7"}, [{"size": 3}], ["7"], [{"text": "7", 5: 3}], None):
             with self.subTest(also), self.assertRaisesRegex(textlabel.LabelError, "list of dictionaries with a text"):
                 textlabel.label(BRACKET, "A43", self.folder / "out.stl", also, **TOP)
-        self.refused("Label '7': ", "Did you mean size", also=[{"text": "7", "sise": 3}])
+        self.refused("Label 2 ('7'): ", "Did you mean size", also=[{"text": "7", "sise": 3}])
         self.refused("text takes a text", also=[{"text": 7}])
         meshes = pymeshlab.MeshSet()
         meshes.load_new_mesh(str(BRACKET))
         with self.assertRaisesRegex(textlabel.LabelError, "one label at a time"):
             textlabel.label(meshes, "A43", also=[{"text": "7"}])
+        with self.assertRaisesRegex(textlabel.LabelError, "list of dictionaries"):
+            textlabel.label(meshes, "A43", also=None)
         self.assertEqual(meshes.current_mesh().face_number(), len(read_stl(BRACKET).triangles))
 
 
@@ -107,15 +131,20 @@ class Commands(InFolder):
 
     def test_label_refused(self):
         for arguments, word in [
-            (["--also"], "--also needs a text"),
+            (["--also"], "--also needs the text"),
             (["--also", "7", "--sise", "4"], "--sise"),
-            (["--also", "7", "--size", "big"], "size takes a number"),
+            (["--also", "7", "--siz", "4"], "--siz"),  # would count for the label before
+            (["--als", "7"], "--als"),
+            (["--also", "--size", "5"], "--also needs the text"),
+            (["--also", "--size=5"], "--also=--text"),
+            (["--also="], "--also needs the text"),
+            (["--also", "7", "--size", "big"], "Label 2 ('7'): The parameter size takes a number"),
             (["--also", "7", "--set", "text=B"], "--set text=B"),
-            (["--also", "7", "--direction", "0,0,1"], "direction alone"),
+            (["--also", "7", "--direction", "0,0,1"], "Label 2 ('7'): A direction alone"),
         ]:
             with self.subTest(arguments):
                 self.assertIn(word, self.run_it("label", BRACKET, "out.stl", "A43", *ON_TOP, *arguments, status=2))
-        self.assertIn("'{n}'", self.run_it("label", BRACKET, "out.stl", "A", "--also", "{n}", "--at", "500,0,0", status=1))
+        self.assertIn("('{n}')", self.run_it("label", BRACKET, "out.stl", "A", "--also", "{n}", "--at", "500,0,0", status=1))
         self.assertEqual(list(self.folder.iterdir()), [])
 
     def test_series(self):
@@ -125,7 +154,7 @@ class Commands(InFolder):
         arguments += ["--also", "{text}/{order:03}", *FROM_BELOW, "--size", "{high}", "--quiet", "--output", "out"]
         said = self.run_it(*arguments, status=1)
         self.assertIn("2 made", said)
-        self.assertIn("row 3 (bracket.stl, 'A3'): Label 'A3/009': ", said)
+        self.assertIn("row 3 (bracket.stl, 'A3'): Label 2 ('A3/009'): ", said)
         self.assertNotIn("nothing uses", said)
         entries = self.entries()
         self.assertEqual([entry["also"][0]["text"] for entry in entries], ["A1/007", "A2/008"])
@@ -148,34 +177,42 @@ class Commands(InFolder):
             (["--set", "sise={n}"], "Did you mean size"),
             (["--also", "7", "--direction", "0,0,1"], "direction alone"),
             (["--set", "report=r.json", "--also", "7"], "'{part}-{n}'"),
-            (["--set", "report={n}.json", "--also", "7", "--set", "report={n}.json"], "Two labels of row 1"),
+            (["--also", " "], "--also needs the text"),
+            (["--text", "a}b"], "{{ and }} for braces"),
         ]:
             with self.subTest(arguments):
                 self.assertIn(word, self.run_it(*start, *arguments, status=2))
+        parts = ["serial", BRACKET, MESHES / "seat.stl", *start[2:]]
+        said = self.run_it(*parts, "--set", "report=./{n}.json", "--also", "7", status=2)
+        self.assertIn("bracket.stl' and '", said)
         self.assertEqual(list(self.folder.iterdir()), [])
-        said = self.run_it(*start, "--also", " ", status=1)
-        self.assertEqual(said.count("The text is empty"), 2)
         said = self.run_it(*start, "--also", "7", "--size", "{text}", status=1)
-        self.assertEqual(said.count("The parameter size takes a number, not 'bracket-000"), 2)
+        self.assertEqual(said.count("Label 2 ('7'): The parameter size takes a number, not 'bracket-000"), 2)
+        said = self.run_it(*start, *ON_TOP, "--set", "report={n}.json", "--also", "7", "--set", "report=./{n}.json", status=1)
+        self.assertEqual(said.count("Label 2 ('7'): The report would be written over"), 2)
+        self.assertEqual([path.name for path in self.folder.iterdir()], ["out"])
+
+    def test_empty_cells(self):
+        (self.folder / "t.csv").write_text("text,note,high,r\nA1,,,\nA2,7,6,\nA3,7,,x\n")
+        arguments = ["serial", BRACKET, "--csv", "t.csv", *ON_TOP, "--output", "out", "--set", "report={r}"]
+        said = self.run_it(*arguments, "--also", "{note}", *FROM_BELOW, "--size", "{high}", status=1)
+        self.assertIn("row 1 (bracket.stl, 'A1'): Label 2 (''): The text is empty in this row. Fill in what it is made of: '{note}'.", said)
+        self.assertIn("2 made", said)  # the size is left to the filter
+        self.assertEqual(sorted(path.name for path in self.folder.iterdir()), ["out", "t.csv", "x"])
 
 
 class Fields(unittest.TestCase):
     def plan(self, **settings):
-        return tasks.Plan(
-            parts=[BRACKET],
-            text=None,
-            name=Template("{n}"),
-            ending="",
-            settings={name: Template(value) for name, value in settings.items()},
-            also=[tasks.Extra(Template("{text}"), {"font": Template("{face}")})],
-        )
+        serial = tasks.Label(Template("{text}"), {name: Template(value) for name, value in settings.items()})
+        further = tasks.Label(Template("{text}"), {"font": Template("{face}")})
+        return tasks.Plan(parts=[BRACKET], labels=[serial, further], name=Template("{n}"), ending="")
 
     def test_a_text_makes_no_folder(self):
         rows = [(1, {"n": 1, "text": "a/b", "face": "x/y.ttf"})]
         (task,), problems = tasks.make_tasks(rows, self.plan(picture="out/{text}.png", font="{text}"), BRACKET.parent)
         self.assertEqual(problems, [])
-        self.assertEqual(task.settings, {"picture": "out/a_b.png", "font": "a/b"})
-        self.assertEqual(task.also, [{"text": "a/b", "settings": {"font": "x/y.ttf"}}])
+        settings = [label["settings"] for label in task.labels]
+        self.assertEqual(settings, [{"picture": "out/a_b.png", "font": "a/b"}, {"font": "x/y.ttf"}])
 
     def test_columns_that_a_label_uses(self):
         rows = [(1, {"n": 1, "text": "A", "face": "x", "place": "y", "customer": "z"})]

@@ -61,8 +61,9 @@ class Tables(InFolder):
         return tasks.read_table(path, 1)
 
     def plan(self, **changes):
-        settings = {"parts": [BRACKET], "text": None, "name": Template("{part}-{text}"), "ending": "", "settings": {}}
-        return tasks.Plan(**{**settings, **changes})
+        settings = {name: Template(text) for name, text in changes.pop("settings", {}).items()}
+        plan = {"parts": [BRACKET], "name": Template("{part}-{text}"), "ending": ""}
+        return tasks.Plan(labels=[tasks.Label(Template("{text}"), settings)], **{**plan, **changes})
 
     def test_dialects(self):
         expected = [(1, {"n": 1, "text": "A1", "size": "5"}), (2, {"n": 2, "text": "Ä,2", "size": "6.5"})]
@@ -107,9 +108,9 @@ class Tables(InFolder):
 
     def test_settings_of_a_row_over_those_of_the_job(self):
         rows = self.read("text,size,depth\nA1,5,\nA2,,2\n")
-        made, _ = tasks.make_tasks(rows, self.plan(settings={"size": Template("7"), "style": Template("engrave")}), self.folder)
-        self.assertEqual(made[0].settings, {"size": "5", "style": "engrave"})
-        self.assertEqual(made[1].settings, {"size": "7", "style": "engrave", "depth": "2"})
+        made, _ = tasks.make_tasks(rows, self.plan(settings={"size": "7", "style": "engrave"}), self.folder)
+        self.assertEqual(made[0].labels, [{"text": "A1", "settings": {"size": "5", "style": "engrave"}}])
+        self.assertEqual(made[1].labels[0]["settings"], {"size": "7", "style": "engrave", "depth": "2"})
 
     def test_bad_rows_do_not_stop_the_others(self):
         rows = self.read(
@@ -160,7 +161,7 @@ class Tables(InFolder):
         rows = self.read("text,picture\nA1,a.png\nA2,b.png\n")
         self.assertEqual(len(tasks.make_tasks(rows, self.plan(), self.folder)[0]), 2)
         with self.assertRaises(tasks.UsageError) as caught:
-            tasks.make_tasks(rows, self.plan(settings={"report": Template("r.json")}), self.folder)
+            tasks.make_tasks(rows, self.plan(settings={"report": "r.json"}), self.folder)
         self.assertIn("same report, 'r.json'", str(caught.exception))
 
     def test_names_that_leave_the_folder(self):

@@ -9,7 +9,7 @@ import sys
 
 from . import serial, tasks
 from .part import label
-from .plugin import LabelError, check_name, check_place, parse_value
+from .plugin import LabelError, check_name, check_place, naming, parse_value
 from .tasks import UsageError
 from .template import Template, TemplateError
 
@@ -31,14 +31,16 @@ SERIAL = """\
 Make one labelled file for each row and part.
 
 The table has a header line. Its columns: text (the serial), part (a mesh file, beside the table or one of PART; without
-it every PART is labelled), any parameter of the filter (size, depth, position, ...: it counts for its row), and others
-for the templates. Templates hold fields in braces: {part} (name of the mesh without ending), {n} (number of the row, as
-{n:04}), {text}, any column. The texts of further labels (--also) are templates, and so are all values of parameters.
+it every PART is labelled), any parameter of the filter (size, depth, position, ...: it counts for the serial's label in
+its row), and others for the templates. Templates hold fields in braces: {part} (name of the mesh without ending), {n}
+(number of the row, as {n:04}), {text}, any column; braces themselves are {{ and }}. The texts of further labels (--also)
+are templates, and so are the values that options give, as --size {size}; one whose fields are all empty is left out. In
+names of files, a field's slashes become _.
 
 The folder gets the files, the materials and textures that belong to them, and manifest.jsonl, one JSON object for each
-file: file, text, sha256, the part, its sha256 and that of a font file, settings and report. Run the same command again
-after an interruption: what is there and whole is kept. Serials that stand twice are refused before anything starts;
-rows that fail do not stop the others and are listed at the end and in failed.csv."""
+file: file, text, sha256, the part, its sha256 and that of a font file, settings, further labels and report. Run the same
+command again after an interruption: what is there and whole is kept. Serials that stand twice are refused before anything
+starts; rows that fail do not stop the others and are listed at the end and in failed.csv."""
 
 SHOWN = 20  # failed rows on the terminal
 
@@ -66,16 +68,19 @@ def _parser():
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
     commands = parser.add_subparsers(dest="command", required=True, metavar="label | serial")
-    one = commands.add_parser("label", help="label one part and print the report (JSON)")
+    # no abbreviations: one behind --also would count for the label before it
+    one = commands.add_parser("label", help="label one part and print the report (JSON)", allow_abbrev=False)
     one.add_argument("input", help="mesh file")
     one.add_argument("output", help="mesh file to write")
     one.add_argument("text", help="the text; \\n breaks a line")
     _add_parameters(one)
+    _add_also(one)
     many = commands.add_parser(
         "serial",
         help="serial numbers on one or many parts",
         description=SERIAL,
         formatter_class=argparse.RawDescriptionHelpFormatter,
+        allow_abbrev=False,
     )
     many.add_argument("parts", nargs="*", metavar="PART", help="mesh file")
     source = many.add_mutually_exclusive_group(required=True)
@@ -94,6 +99,7 @@ def _parser():
     many.add_argument("--overwrite", action="store_true", help="replace files that were made otherwise, or by others")
     many.add_argument("--quiet", action="store_true", help="no progress bar")
     _add_parameters(many)
+    _add_also(many)
     return parser
 
 
@@ -102,20 +108,26 @@ def _add_parameters(parser):
     for flag, name, text in FLAGS:
         group.add_argument(flag, dest=f"set_{name}", metavar=name.upper(), help=text)
     group.add_argument("--set", action="append", default=[], metavar="NAME=VALUE", help="any parameter of the filter")
-    group.add_argument("--also", metavar="TEXT", help="another label on the part; the options that follow are its own")
+
+
+def _add_also(parser):
+    """For the help: _parse() takes further labels out before."""
+    parser.add_argument(
+        "--also",
+        metavar="TEXT",
+        help="a further label on the part, as often as wanted; the options that follow and describe a label are its own",
+    )
 
 
 def _parse(arguments):
     """The command, and in its `also` the further labels: namespaces with a text and parameters."""
-    own, *others = _split(_join_negative(arguments))
+    own, *further = _split(_join_negative(arguments))
     parser = argparse.ArgumentParser(prog="textlabel ... --also TEXT", add_help=False, allow_abbrev=False)
     _add_parameters(parser)
     also = []
-    for words in others:
-        if not words:
-            raise UsageError("--also needs a text, that of the further label.")
-        label, rest = parser.parse_known_args(words[1:])
-        label.text = words[0]
+    for text, *options in further:
+        label, rest = parser.parse_known_args(options)
+        label.text = text
         also.append(label)
         own += rest  # options of the command may stand anywhere
     parsed = _parser().parse_args(own)
@@ -124,22 +136,23 @@ def _parse(arguments):
 
 
 def _split(arguments):
-    """The arguments before the first --also, and those after each."""
+    """The arguments before the first --also, and of each the text and the arguments after it."""
     parts = [[]]
-    for index, argument in enumerate(arguments):
-        if argument == "--":
-            parts[-1] += arguments[index:]
-            break
-        if argument == "--also":
-            parts.append([])
-        elif argument.startswith("--also="):
-            parts.append([argument.removeprefix("--also=")])
+    words = iter(arguments)
+    for word in words:
+        if word == "--":
+            parts[-1] += [word, *words]
+        elif word == "--also" or word.startswith("--also="):
+            text = word.removeprefix("--also=") if "=" in word else next(words, "")
+            if not text.strip() or ("=" not in word and text.startswith("--")):
+                raise UsageError("--also needs the text of the further label. One that begins with -- is written --also=--text.")
+            parts.append([text])
         else:
-            parts[-1].append(argument)
+            parts[-1].append(word)
     return parts
 
 
-def _settings(arguments, is_template=False):
+def _settings(arguments, is_template):
     """Parameters of the filter as texts. is_template: those with a brace are not yet values."""
     settings = {name: getattr(arguments, f"set_{name}") for _, name, _ in FLAGS}
     settings = {name: text for name, text in settings.items() if text is not None}
@@ -148,50 +161,60 @@ def _settings(arguments, is_template=False):
         if not equals:
             raise UsageError(f"--set {assignment}: write NAME=VALUE.")
         if name == "text":
-            raise UsageError(f"--set {assignment}: a text is given as TEXT to label, to serial by --text or the table.")
+            raise UsageError(
+                f"--set {assignment}: a text is given as TEXT to label, to serial by --text or the table, to both by --also TEXT."
+            )
         settings[name] = text
-    try:
-        for name, text in settings.items():
-            if is_template and "{" in text:
-                check_name(name)
-            else:
-                parse_value(name, text)
-    except LabelError as error:
-        raise UsageError(str(error)) from None
+    for name, text in settings.items():
+        if is_template and "{" in text:
+            check_name(name)
+        else:
+            parse_value(name, text)
     return settings
 
 
-def _label(arguments):
-    first, *also = [_values(each) for each in (arguments, *arguments.also)]
-    print(json.dumps(label(arguments.input, first.pop("text"), arguments.output, also, **first), indent=1))
-    return 0
+def _of_each(arguments, work):
+    """What work gives for the arguments of each label."""
+    labels = [arguments, *arguments.also]
+    made = []
+    for number, each in enumerate(labels, 1):
+        try:
+            with naming(number, len(labels), each.text):
+                made.append(work(each))
+        except LabelError as error:
+            raise UsageError(str(error)) from None
+    return made
 
 
 def _values(arguments):
     """Text and parameters of a label."""
-    values = {name: parse_value(name, text) for name, text in _settings(arguments).items()}
-    try:
-        check_place(values)
-    except LabelError as error:
-        raise UsageError(str(error)) from None
+    values = {name: parse_value(name, text) for name, text in _settings(arguments, is_template=False).items()}
+    check_place(values)
     return {**values, "text": arguments.text}
 
 
-def _templates(arguments):
-    return {name: Template(text) for name, text in _settings(arguments, is_template=True).items()}
+def _template(arguments):
+    """A label in all rows."""
+    settings = {name: Template(text) for name, text in _settings(arguments, is_template=True).items()}
+    return tasks.Label(Template(arguments.text), settings)
+
+
+def _label(arguments):
+    first, *also = _of_each(arguments, _values)
+    print(json.dumps(label(arguments.input, first.pop("text"), arguments.output, also, **first), indent=1))
+    return 0
 
 
 def _serial(arguments):
     if arguments.jobs < 1 or (arguments.count is not None and arguments.count < 1):
         raise UsageError("--jobs and --count take numbers from 1.")
-    text = arguments.text or (None if arguments.csv else "{part}-{n:04}")
+    name = arguments.name or ("{part}-{text}" if arguments.csv or arguments.text else "{text}")
+    arguments.text = arguments.text or ("{text}" if arguments.csv else "{part}-{n:04}")
     plan = tasks.Plan(
         parts=[pathlib.Path(part) for part in arguments.parts],
-        text=Template(text) if text else None,
-        name=Template(arguments.name or ("{part}-{text}" if arguments.csv or arguments.text else "{text}")),
+        labels=_of_each(arguments, _template),
+        name=Template(name),
         ending=arguments.format.lstrip("."),
-        settings=_templates(arguments),
-        also=[tasks.Extra(Template(more.text), _templates(more)) for more in arguments.also],
     )
     missing = [str(part) for part in plan.parts if not part.is_file()]
     if missing:

@@ -10,7 +10,8 @@ import numpy as np
 import pymeshlab
 
 from . import files, formats
-from .plugin import FILTER, WRITTEN, LabelError, check_values, load_plugin
+from .aside import Aside
+from .plugin import FILTER, LabelError, check_values, load_plugin, naming
 
 NO_TEXTURE = "dummy.png"  # what MeshLab calls the picture in place of a texture that it cannot load
 WITH_TEXTURES_INSIDE = (".glb", ".gltf", ".3mf")  # endings: a file of a texture's name need not be that texture
@@ -25,9 +26,10 @@ def label(mesh, text, output=None, also=(), **parameters):
     parameters: of the filter, see defaults(). A position without a placement means "Point and direction", a camera
     "Camera"; a colour, as "ff8000" or (255, 128, 0), means that raised letters get it too.
     Returns the report; with further labels theirs are in it, as "also". Raises LabelError; a MeshSet is then as it was, and
-    no file is written. Only where a report, picture, outline or the output could not be written, which the text says, it is
-    labelled.
+    no file is written. Only where a report, picture, outline or the output of a MeshSet could not be written, which the text
+    says, it is labelled.
     """
+    _check_also(also)
     if isinstance(mesh, pymeshlab.MeshSet):
         if also:
             raise LabelError("A MeshSet takes one label at a time. Label it once for each text.")
@@ -70,33 +72,25 @@ class Part:
 
     def label(self, text, output, also=(), **parameters):
         """Write the part with the text cut into it to the file output; see label()."""
-        labels = [{**parameters, "text": text}, *_checked_labels(also)]
+        _check_also(also)
         output = _resolved(output)
         self._set.set_current_mesh(self._original)
         if formats.takes_textures(output):
             self._refuse_lost_textures()
             _refuse_far_textures(self._set, f"the mesh '{self.path}'")
         untouched = self._textures_beside(output)
-        if len(labels) > 1 and any(values.get(name) for values in labels for name in WRITTEN):
-            with self._copied():  # the files of the first are not written for a part whose second is refused
-                _apply_all(self._set, [{**values, **dict.fromkeys(WRITTEN, "")} for values in labels], output)
-        with self._copied():
-            reports = _apply_all(self._set, labels, output)
-            strictest = formats.strictest(reports)
-            formats.refuse_lost_precision(self._set.current_mesh(), strictest, output)
-            _save(self._set, output, strictest, untouched)
-        return {**reports[0], "also": reports[1:]} if also else reports[0]
-
-    @contextlib.contextmanager
-    def _copied(self):
-        """A copy of the part is the current mesh meanwhile."""
-        self._set.set_current_mesh(self._original)
         self._set.apply_filter("generate_copy_of_current_mesh")
         try:
-            yield
+            with Aside(taken=[self.path, output]) as aside:
+                reports = _apply_all(self._set, [{**parameters, "text": text}, *also], output, aside)
+                strictest = formats.strictest(reports)
+                formats.refuse_lost_precision(self._set.current_mesh(), strictest, output)
+                _save(self._set, output, strictest, untouched)
+                aside.move()
         finally:
             self._set.delete_current_mesh()
             self._set.clear_filter_script()  # it would grow with each label
+        return {**reports[0], "also": reports[1:]} if also else reports[0]
 
     def _refuse_lost_textures(self):
         """MeshLab takes a picture of its own for a texture that it cannot load, and would save that one."""
@@ -175,24 +169,22 @@ def _color_faces(mesh_set):
         mesh_set.apply_filter("compute_color_by_function_per_face", r="255", g="255", b="255", a="255")
 
 
-def _checked_labels(also):
-    """The further labels. Raises LabelError when they are something else."""
-    is_list = isinstance(also, (list, tuple))
-    if not is_list or not all(isinstance(values, dict) and "text" in values for values in also):
+def _check_also(also):
+    """Raise LabelError when these are no further labels."""
+    is_list = isinstance(also, (list, tuple)) and all(isinstance(values, dict) for values in also)
+    if not is_list or not all("text" in values and all(isinstance(name, str) for name in values) for values in also):
         raise LabelError("Further labels are a list of dictionaries with a text each, as [{'text': '4711', 'size': 8}].")
-    return also
 
 
-def _apply_all(mesh_set, labels, output):
-    """Cut labels into the current mesh, one after the other; their reports. Of several, a refusal says which one it was."""
+def _apply_all(mesh_set, labels, output, aside):
+    """Cut labels into the current mesh, one after the other; their reports. Their files are put aside."""
     reports = []
-    for values in labels:
-        try:
-            reports.append(_apply(mesh_set, values, output))
-        except LabelError as error:
-            if len(labels) == 1:
-                raise
-            raise LabelError(f"Label '{values['text']}': {error}") from error
+    for number, values in enumerate(labels, 1):
+        with naming(number, len(labels), values["text"]):
+            try:
+                reports.append(_apply(mesh_set, aside.put(values), output))
+            except LabelError as error:
+                raise LabelError(aside.named(str(error))) from error
     return reports
 
 

@@ -1,5 +1,6 @@
 """The filter inside PyMeshLab: find its plugin, load it once, and know names, types and defaults of its parameters."""
 
+import contextlib
 import difflib
 import operator
 import os
@@ -24,6 +25,17 @@ CHOICES = {  # of the filter, by number
 
 class LabelError(Exception):
     """A label that cannot be made, or not all be written. The text says what is wrong, where, and what to do."""
+
+
+@contextlib.contextmanager
+def naming(number, count, text):
+    """Let a LabelError that comes up meanwhile say which of count labels it is about, where there are several."""
+    try:
+        yield
+    except LabelError as error:
+        if count == 1:
+            raise
+        raise LabelError(f"Label {number} ('{text}'): {error}") from error
 
 
 def plugin_path():

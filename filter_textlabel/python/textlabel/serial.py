@@ -37,7 +37,7 @@ def run(tasks, problems, folder, jobs, overwrite=False, quiet=False):
     outcome = Outcome(problems=list(problems))
     try:
         hashes = {part: sha256(part) for part in {task.part for task in tasks}}
-        names = {_font(settings) for task in tasks for _, settings in task.labels()}
+        names = {_font(label) for task in tasks for label in task.labels}
         fonts = {font: sha256(file) for font in names if (file := font_file(font))}
         entries = {task.file: _entry(task, hashes[task.part], fonts) for task in tasks}
         _refuse_used_serials(tasks, manifest)
@@ -63,24 +63,15 @@ def _open_manifest(folder):
         raise UsageError(f"The folder {folder} cannot be written to: {error.strerror}.") from None
 
 
-def _font(settings):
-    return settings.get("font", "")
+def _font(label):
+    return label["settings"].get("font", "")
 
 
 def _entry(task, part_hash, fonts):
     """The manifest's line of a task, but for what the run finds out. fonts: hashes of the fonts that are files."""
-    entry = {
-        "file": task.file,
-        "text": task.text,
-        "part": task.part.name,
-        "row": task.row,
-        "part_sha256": part_hash,
-        "font_sha256": fonts.get(_font(task.settings)),
-        "settings": task.settings,
-    }
-    if task.also:
-        entry["also"] = [{**more, "font_sha256": fonts.get(_font(more["settings"]))} for more in task.also]
-    return entry
+    first, *also = [{**label, "font_sha256": fonts.get(_font(label))} for label in task.labels]
+    entry = {"file": task.file, "part": task.part.name, "row": task.row, "part_sha256": part_hash, **first}
+    return {**entry, "also": also} if also else entry
 
 
 def _is_same(entry, other):
@@ -150,10 +141,8 @@ def _work(tasks, entries, manifest, jobs, outcome, quiet):
 def _message(task, manifest):
     return {
         "part": os.path.abspath(task.part),
-        "text": task.text,
         "output": os.path.abspath(manifest.unfinished(task.file)),
-        "settings": task.settings,
-        "also": task.also,
+        "labels": task.labels,
     }
 
 

@@ -23,14 +23,18 @@ class Task:
 
     row: int  # of the table, the first one after the header being 1; without a table the number n
     part: pathlib.Path
-    text: str
     file: str  # below the output folder, with slashes
-    settings: dict  # parameters of the filter as texts, those of the row over those of the job
-    also: list = dataclasses.field(default_factory=list)  # further labels: [{"text": ..., "settings": ...}]
+    labels: list  # [{"text": ..., "settings": {parameter: text}}]; the first one is the serial
 
-    def labels(self):
-        """All labels of the file: [(text, settings)]."""
-        return [(self.text, self.settings), *((more["text"], more["settings"]) for more in self.also)]
+    @property
+    def text(self):
+        """The serial."""
+        return self.labels[0]["text"]
+
+    def written(self):
+        """(parameter, path) of all files that are written beside the mesh."""
+        settings = [label["settings"] for label in self.labels]
+        return [(name, each[name]) for each in settings for name in plugin.WRITTEN if each.get(name)]
 
 
 def serial_of(text):
@@ -48,8 +52,8 @@ class Problem:
 
 
 @dataclasses.dataclass
-class Extra:
-    """A further label on each part."""
+class Label:
+    """A label in all rows."""
 
     text: Template
     settings: dict  # {parameter: Template}
@@ -60,18 +64,9 @@ class Plan:
     """How rows become tasks."""
 
     parts: list  # paths given for all rows
-    text: Template  # of the label; None: the table's column text
+    labels: list  # the first one is the serial; columns of the table may be its settings, too
     name: Template  # of the file, without ending
     ending: str  # of the files; empty: the part's own
-    settings: dict  # of the label, in all rows: {parameter: Template}
-    also: list = dataclasses.field(default_factory=list)  # of Extra
-
-    def fields(self):
-        """Names of the fields in all templates."""
-        templates = [self.name, *self.settings.values()]
-        for more in self.also:
-            templates += [more.text, *more.settings.values()]
-        return {field for template in [*templates, *filter(None, [self.text])] for field in template.fields}
 
 
 def number_rows(first, count):
@@ -122,7 +117,8 @@ def _cells(columns, cells):
 def check_columns(rows, plan):
     """Names of the columns that nothing uses. Raises UsageError when one looks like a misspelt parameter."""
     columns = [name for name in (rows[0][1] if rows else {}) if isinstance(name, str)]
-    used = set(OWN_COLUMNS) | plan.fields()
+    templates = [plan.name, *(each for label in plan.labels for each in (label.text, *label.settings.values()))]
+    used = {*OWN_COLUMNS, *(field for template in templates for field in template.fields)}
     unused = [name for name in columns if name not in used and name not in plugin.defaults()]
     for name in unused:
         near = plugin.near_names(name)
@@ -153,22 +149,21 @@ def _check_fields(rows, plan):
     columns = {name for _, values in rows for name in values if name is not None}
     if not plan.parts and "part" not in columns:
         raise UsageError("No part is given: name mesh files on the command line, or in a column 'part'.")
-    if plan.text is None and "text" not in columns:
+    serial, *further = plan.labels
+    if "text" in serial.text.fields and "text" not in columns:
         raise UsageError("The table has no column 'text': add one, or make the texts by --text TEMPLATE.")
-    if plan.text is not None:
-        plan.text.check(columns | {"part"})
-    for template in [plan.name, *plan.settings.values()]:
+    serial.text.check(columns | {"part"})
+    others = [plan.name, *serial.settings.values()]
+    for template in [*others, *(each for label in further for each in (label.text, *label.settings.values()))]:
         template.check(columns | {"part", "text"})
-    for more in plan.also:
-        for template in [more.text, *more.settings.values()]:
-            template.check(columns | {"part", "text"})
-    try:
-        if "direction" in plan.settings:
-            plugin.check_place(columns | set(plan.settings))
-        for more in plan.also:
-            plugin.check_place(more.settings)
-    except plugin.LabelError as error:
-        raise UsageError(str(error)) from None
+    for number, label in enumerate(plan.labels, 1):
+        if "direction" not in label.settings:
+            continue
+        try:
+            with plugin.naming(number, len(plan.labels), label.text.text):
+                plugin.check_place({*label.settings, *(columns if label is serial else ())})
+        except plugin.LabelError as error:
+            raise UsageError(str(error)) from None
 
 
 def _parts(values, plan, table_folder):
@@ -185,26 +180,35 @@ def _task(row, part, values, plan):
     if not part.is_file():
         raise plugin.LabelError(f"There is no mesh '{part}'. Check its name.")
     fields = {**values, "part": part.stem}
-    text = plan.text.fill(fields) if plan.text is not None else fields["text"]
-    fields = {**fields, "text": text}
-    settings = _filled(plan.settings, fields)
-    settings.update({name: fields[name] for name in plugin.defaults() if name != "text" and fields.get(name)})
-    also = [{"text": more.text.fill(fields), "settings": _filled(more.settings, fields)} for more in plan.also]
-    task = Task(row, part, text, _file_name(part, fields, plan), settings, also)
-    for label, parameters in task.labels():
-        if not label.strip():
-            raise plugin.LabelError("The text is empty. Write the serial number into the row.")
-        plugin.check_value("text", label)
-        for name, value in parameters.items():
-            plugin.parse_value(name, value)
-        plugin.check_place(parameters)
-    return task
+    fields["text"] = plan.labels[0].text.fill(fields)
+    labels = []
+    for number, label in enumerate(plan.labels, 1):
+        text = fields["text"] if number == 1 else label.text.fill(fields)
+        settings = _filled(label.settings, fields)
+        if number == 1:
+            settings.update({name: fields[name] for name in plugin.defaults() if name != "text" and fields.get(name)})
+        with plugin.naming(number, len(plan.labels), text):
+            _check(label, text, settings)
+        labels.append({"text": text, "settings": settings})
+    return Task(row, part, _file_name(part, fields, plan), labels)
+
+
+def _check(label, text, settings):
+    if not text.strip():
+        raise plugin.LabelError(f"The text is empty in this row. Fill in what it is made of: '{label.text.text}'.")
+    plugin.check_value("text", text)
+    for name, value in settings.items():
+        plugin.parse_value(name, value)
+    plugin.check_place(settings)
 
 
 def _filled(settings, fields):
-    """The settings of a row. What is put into a file's name has no slashes."""
-    safe = _safe(fields)
-    return {name: each.fill(safe if name in plugin.WRITTEN else fields) for name, each in settings.items()}
+    """The settings of a row, but for those made of empty fields only. What is put into a file's name has no slashes."""
+    safe, filled = _safe(fields), {}
+    for name, template in settings.items():
+        if not template.fields or any(str(fields[field]).strip() for field in template.fields):
+            filled[name] = template.fill(safe if name in plugin.WRITTEN else fields)
+    return filled
 
 
 def _safe(fields):
@@ -225,17 +229,6 @@ def _file_name(part, fields, plan):
     return file
 
 
-def _written_by(task):
-    """(path, parameter) of all files that a task writes beside its mesh."""
-    paths = [(path, name) for _, settings in task.labels() for name in plugin.WRITTEN if (path := settings.get(name))]
-    for path, name in paths:
-        if [other for other, _ in paths].count(path) > 1:
-            raise UsageError(
-                f"Two labels of row {task.row} would write the same {name}, '{path}'. Nothing was started; name them differently."
-            )
-    return paths
-
-
 def _refuse_duplicates(tasks):
     serials, files, written = {}, {}, {}
     for task in tasks:
@@ -244,14 +237,18 @@ def _refuse_duplicates(tasks):
             raise UsageError(
                 f"The serial '{task.text}' stands twice for {task.part.name}: "
                 f"in rows {serials[key].row} and {task.row}. "
-                "Nothing was started; make the serials unique."
+                "Nothing was started; make the serials unique; of several labels, the first one is the serial."
             )
         serials[key] = task
-        for path, name in _written_by(task):
-            if (first := written.setdefault(path, task)) is not task:
+        for name, path in task.written():
+            other = written.setdefault(os.path.realpath(path), task)
+            if other is not task:
+                who = f"Rows {other.row} and {task.row}"
+                if other.row == task.row:
+                    who = f"The parts '{other.part}' and '{task.part}'"
                 raise UsageError(
-                    f"Rows {first.row} and {task.row} would write the same {name}, '{path}'. "
-                    f"Nothing was started; give each row its own, by fields as '{{part}}-{{n}}' or in a column '{name}'."
+                    f"{who} would write the same {name}, '{path}'. "
+                    f"Nothing was started; give each its own, by fields as '{{part}}-{{n}}' or in a column '{name}'."
                 )
         other = files.setdefault(task.file.casefold(), task)  # some file systems do not tell A from a
         if other is not task and other.row == task.row:

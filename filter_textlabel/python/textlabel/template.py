@@ -17,7 +17,7 @@ class Template:
         try:
             self.fields = [field for _, field, _, _ in string.Formatter().parse(text) if field is not None]
         except ValueError as error:
-            raise TemplateError(f"The template '{text}' cannot be read: {error}.") from None
+            raise TemplateError(f"The template '{text}' cannot be read: {error}. Write {{{{ and }}}} for braces themselves.") from None
         for field in self.fields:
             if not re.fullmatch(r"\w[\w -]*", field):
                 raise TemplateError(f"The template '{text}' holds {{{field}}}. Write a field's name in braces.")

@@ -23,16 +23,18 @@ class _Bench:
         try:
             if self._part is None or self._part.path != task["part"]:
                 self._part = Part(task["part"])
-            also = [{**_values(more["settings"]), "text": more["text"]} for more in task["also"]]
+            first, *also = map(_values, task["labels"])
             os.makedirs(os.path.dirname(task["output"]), exist_ok=True)
-            report = self._part.label(task["text"], task["output"], also, **_values(task["settings"]))
+            report = self._part.label(first.pop("text"), task["output"], also, **first)
             return {"report": report, "sha256": sha256(task["output"])}
         except plugin.LabelError as error:
             return {"reason": str(error)}
 
 
-def _values(settings):
-    return {name: plugin.parse_value(name, text) for name, text in settings.items()}
+def _values(label):
+    """Text and parameters of a label."""
+    values = {name: plugin.parse_value(name, text) for name, text in label["settings"].items()}
+    return {**values, "text": label["text"]}
 
 
 def main():
