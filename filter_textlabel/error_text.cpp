@@ -71,6 +71,12 @@ const std::string repairEdges = "'Repair non Manifold Edges by removing faces'";
 const std::string repairEdges = "'Repair non Manifold Edges'";
 #endif
 
+/// What else helps where coordinates are too coarse.
+std::string FinerFile(const ErrorContext& context)
+{
+	return context.fileDigits == 0 ? "" : " Or save it in a format with more digits, as .ply or .stl.";
+}
+
 /// Refusals that name a letter and a place.
 std::string PlaceText(const Error& error, const ErrorContext& context)
 {
@@ -111,10 +117,12 @@ std::string PlaceText(const Error& error, const ErrorContext& context)
 			return letter + " meets corners or edges of the mesh" + where +
 			       " in a way that its coordinates cannot carry (details below " + Figure(error.limit) +
 			       " are lost). Move the label a little (offset_u, offset_v), make the text larger, or move the part "
-			       "nearer to the origin.";
+			       "nearer to the origin." +
+			       FinerFile(context);
 		return letter + " has details of " + Figure(error.value) + where +
 		       ", finer than the coordinates of the mesh can carry (" + Figure(error.limit) +
-		       "). Make the text larger, the tolerance coarser, or move the part nearer to the origin.";
+		       "). Make the text larger, the tolerance coarser, or move the part nearer to the origin." +
+		       FinerFile(context);
 	case ErrorCode::HitsSurface:
 		return letter + " would run into another part of the surface" + where + " at depth " +
 		       Figure(std::abs(context.depth)) + Room(error) + ". " + UseDepth(error) + ", or move the label.";
@@ -184,7 +192,8 @@ std::string ErrorText(const Error& error, const ErrorContext& context)
 	case ErrorCode::BadHeight:
 		if (error.value > 0 && error.value <= error.limit)
 			return "The depth " + Figure(error.value) + " is finer than the coordinates of the mesh can carry here (" +
-			       Figure(error.limit) + "). Use a larger depth, or move the part nearer to the origin.";
+			       Figure(error.limit) + "). Use a larger depth, or move the part nearer to the origin." +
+			       FinerFile(context);
 		return "The depth " + Figure(context.depth) + " is not possible here" + Room(error) +
 		       ". Give a finite depth smaller than the part.";
 	case ErrorCode::EmptyMesh:
@@ -244,11 +253,17 @@ std::string ErrorText(const RequestError& error)
 		return "Another surface lies " + Figure(error.value) +
 		       " in front of the position, so the viewer would not see the label. Move "
 		       "the position to that surface, or look from another direction.";
+	case RequestProblem::HiddenByBack:
+		return "The first surface on the line to the position shows its back, " + Figure(error.value) +
+		       " in front of the nearest one that faces the viewer. The part's faces are turned inside out: run " +
+		       invertFaces + " first. Or, if they are not, look from another direction.";
 	case RequestProblem::NoPlace:
-		return error.value > 0
-		           ? "No place on the part holds the text at size " + Figure(error.value) +
-		                 ". Make it smaller, or use size -1 to have one chosen."
-		           : "No place on the part holds the text. Choose a place yourself (placement Point and direction).";
+		return error.value > 0 ? "No place on the part holds the text at size " + Figure(error.value) +
+		                             ". Make it smaller, or use size -1 to have one chosen."
+		                       : "No place on the part holds the text. Make the text shorter, or choose a place "
+		                         "yourself (placement "
+		                         "Point and direction). If the part's faces are turned inside out, run " +
+		                             invertFaces + " first.";
 	case RequestProblem::FileNotWritten:
 		return "The file '" + error.detail + "' (" + error.parameter +
 		       ") cannot be written. Choose a folder that exists, may be written to, and has room.";

@@ -201,6 +201,12 @@ dae | wrl)  # meshlabserver leaves the colours of faces away
 	;;
 esac
 
+case ${ending,,} in  # text formats, of which MeshLab 2020.09 writes fewer digits than single precision has
+obj) parameters=("file_digits=-6" "${parameters[@]}") ;;
+off) parameters=("file_digits=7" "${parameters[@]}") ;;
+dae | x3d | wrl) parameters=("file_digits=6" "${parameters[@]}") ;;
+esac
+
 work=$(mktemp -d) || refuse "No temporary folder can be made in '${TMPDIR:-/tmp}'. Make room there, or name another folder in TMPDIR."
 meshlab_pid=
 display_pid=
@@ -278,23 +284,6 @@ if [ ! -s "$work/labelled.$ending" ] || [ $status -ne 0 ]; then
 	refuse "MeshLab ended unexpectedly (status $status, see above). Check the mesh by opening it in MeshLab; for a very large one, that there is memory enough."
 fi
 
-# Text formats have six decimals or six digits: too few for a part that is very small, or far from the origin. The label was checked on the
-# steps of float32, of which the largest coordinate has 2^23 to 2^24.
-reported() { sed -n "s/^\(LOG: [0-9]* \)\{0,1\}Text Label: {.*\"$1\":\([^,]*\),.*/\2/p" "$work/errors" | head -n 1; }
-checked=$(reported coordinate_step) size=$(reported size)
-few_digits=
-case ${ending,,} in
-obj) few_digits=$(LC_ALL=C awk -v checked="${checked:-1}" 'BEGIN { if (1e-6 > 4 * checked) print "six decimals" }') ;;
-off | dae | x3d | wrl)
-	few_digits=$(LC_ALL=C awk -v checked="${checked:-1}" -v size="${size:-0}" 'BEGIN {
-		step = 10 ^ (int(100 + log(checked * 2 ^ 23) / log(10)) - 100 - 5)
-		if (step > size / 400) print "six digits"  # coarser than curves are cut
-	}')
-	;;
-esac
-[ -z "$few_digits" ] ||
-	refuse "The label would be spoilt in '$output': .${ending,,} files are written with $few_digits, too few for this part. Name it .ply or .stl."
-
 # Textures that the output names must lie beside it, as they do beside the input.
 texture_names() {
 	case ${ending,,} in
@@ -338,8 +327,3 @@ cp -- "$work/labelled.$ending" "$fresh" && mv -f -- "$fresh" "$output" || refuse
 if [ -n "$colors" ] && [ "${ending,,}" = stl ]; then
 	echo "label.sh: the letters' colour is in '$output', but few programs read colours from an STL file. Name it .ply or .obj instead." >&2
 fi
-case ${ending,,} in
-off | dae | x3d | wrl)
-	echo "label.sh: .${ending,,} files are written with six digits, fewer than the label was checked on. Name it .ply or .stl to keep all." >&2
-	;;
-esac

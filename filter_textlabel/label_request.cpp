@@ -309,6 +309,8 @@ void CheckRequest(const LabelRequest& request, const vcg::Box3d& box)
 	CheckRange("fit_width", request.fitWidth, 0, box.Diag());
 	CheckRange("field_of_view", request.fieldOfView, 0, 180);
 	CheckRange("max_stretch", request.maxStretch, 1, INFINITY);
+	constexpr double mostDigits = 15;  // of a double
+	CheckRange("file_digits", request.fileDigits, -mostDigits, mostDigits);
 }
 
 }  // namespace textlabel

@@ -245,6 +245,7 @@ void LabelJob<MeshType>::labelAtDepth(const LabelRequest& request, const TextOut
 	options.height = height_;
 	options.along = vcg::textlabel::ExtrudeAlong(request.extrudeAlong);
 	options.maxStretch = request.maxStretch;
+	options.fileDigits = context_.fileDigits = int(request.fileDigits);
 	options.progress = host_.progress;
 	result_ = vcg::textlabel::LabelMesh(m_, outline.outline, frame_, options);
 }

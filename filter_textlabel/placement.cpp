@@ -109,8 +109,10 @@ LabelFrame PlaceAtPoint(const LabelRequest& request, const PartProbe& part)
 	const SurfaceHit* const nearest = NearestFacing(hits);
 	if (!nearest) throw RequestError(RequestProblem::PointMissesPart, "position");
 	const double hidden = nearest->distance - hits.front().distance;
-	if (hidden > sameSurface * part.box.Diag())
-		throw RequestError(RequestProblem::HiddenPlace, "position").measured(hidden);
+	if (hidden > sameSurface * part.box.Diag()) {
+		const RequestProblem by = hits.front().facing ? RequestProblem::HiddenPlace : RequestProblem::HiddenByBack;
+		throw RequestError(by, "position").measured(hidden);
+	}
 	frame.origin = line.origin + line.direction * nearest->distance;
 	return frame;
 }

@@ -26,6 +26,7 @@ enum class RequestProblem {
 	UpAlongDirection,
 	PointMissesPart,  ///< no face that looks to the viewer on the line through the position
 	HiddenPlace,      ///< another face lies before the position; value: distance between them
+	HiddenByBack,     ///< the same of one that shows its back
 	NoPlace,          ///< Automatic found nothing; value: the size asked, or ChosenToFit
 	FileNotWritten,   ///< detail: the path
 };

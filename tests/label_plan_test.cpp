@@ -27,6 +27,22 @@ TEST(Precision, UlpIsTheStepBetweenNumbers)
 	EXPECT_GT(Precision{true}.ulp(0), 0);
 }
 
+TEST(Precision, TextFilesHaveStepsOfTheirOwn)
+{
+	const Precision six{true, false, 6}, decimals{true, true, -6};
+	EXPECT_EQ(six.ulp(1023), 0.01);
+	EXPECT_EQ(six.ulp(999), 0.001);
+	EXPECT_EQ(six.round(1005.006), double(1005.01f));
+	EXPECT_EQ(six.round(-0.00123456789), double(-0.00123457f));
+	EXPECT_EQ(six.round(0), 0);
+	EXPECT_EQ((Precision{false, true, 6}.round(1005.006)), 1005.01);
+	EXPECT_EQ(decimals.ulp(0.001), 1e-6);
+	EXPECT_EQ(decimals.ulp(1e6), Precision{true}.ulp(1e6)) << "single precision is the coarser one";
+	EXPECT_EQ(decimals.round(1.23e-5), double(1.2e-5f));
+	EXPECT_FALSE((Precision{false, true, 6}.isExact()));
+	EXPECT_TRUE((Precision{false, true}.isExact()));
+}
+
 LabelPlan Plan(const test_mesh::Shape& shape, const Outline& outline, Precision precision, double height = 0)
 {
 	const LabelSpace space(FromAbove());
@@ -54,6 +70,39 @@ TEST(Plan, KeepsItsResolution)
 		EXPECT_NEAR(plan.surfaceArea, Area(letters), plan.resolution * 70);  // the letters' perimeter is 66
 		EXPECT_EQ(plan.stretch, 1);
 	}
+}
+
+// Where coordinates are rounded to a grid that is far coarser than single precision, the label is right on both.
+TEST(Plan, IsSoundAsAFileOfFewDigitsHasIt)
+{
+	const test_mesh::Shape shape = test_mesh::Slab(40, 30, 4, 20, 15);
+	const LabelSpace space(FromAbove());
+	int collapsed = 0;
+	for (int n = 0; n < 30; ++n) {
+		const Outline letters = Moved(ThreeLetters(), 1, 0.0031 * n, 0.0017 * n);
+		const auto verdict = [&](const Sheet& sheet, const LabelPlan& plan, const Precision& as) {
+			const auto round = [&](double x) { return as.round(x); };
+			return CheckPatch(space, sheet, plan.patch, RoundedPositions(sheet, plan.patch, round)).fault;
+		};
+		for (const bool isDouble : {false, true})
+			for (const double height : {0.0, 0.5, -0.5}) {
+				LabelOptions options;
+				options.height = height;
+				const Precision file{true, isDouble, -2}, memory{!isDouble, isDouble};
+				Sheet sheet = CandidatesOf(shape, space, 40, 40), same = sheet;
+				const LabelPlan plan = LabelPlanner(space, sheet, file, options).plan(letters);
+				EXPECT_EQ(plan.coordinateStep, 0.01);
+				EXPECT_EQ(verdict(sheet, plan, file), PatchFault::Sound) << n;
+				EXPECT_EQ(verdict(sheet, plan, memory), PatchFault::Sound) << n;
+				const LabelPlan fine = LabelPlanner(space, same, memory, options).plan(letters);
+				collapsed += verdict(same, fine, file) != PatchFault::Sound;
+			}
+	}
+	EXPECT_GT(collapsed, 0) << "else the file's digits would not matter";
+	LabelOptions options;
+	options.height = 0.004;
+	Sheet sheet = CandidatesOf(shape, space, 40, 40);
+	EXPECT_THROW(LabelPlanner(space, sheet, {true, false, -2}, options).plan(ThreeLetters()), Error);
 }
 
 TEST(Plan, RefusesWhatTheCoordinatesDoNotCarry)

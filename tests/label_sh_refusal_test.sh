@@ -33,9 +33,11 @@ refused 1 'flat label is a colour.*\.ply' --style flat box.off out.dae A
 refused 1 'picture would be written over' --picture box.off box.off out.stl A
 refused 1 'report would be written over' --outline a.x --report a.x box.off out.stl A
 awk 'NF == 3 && NR > 2 { $1 *= 1e-5; $2 *= 1e-5; $3 *= 1e-5 } { print }' box.off >tiny.off
-refused 1 "spoilt in 'out.obj'.*six decimals.*\.stl" tiny.off out.obj A
+refused 1 'finer than the coordinates .*more digits, as \.ply or \.stl' tiny.off out.obj A
 awk 'NF == 3 && NR > 2 { $1 = 10 * $1 + 3e6; $2 *= 10; $3 *= 10 } { print }' box.off >far.off
-refused 1 "spoilt in 'out.off'.*six digits" --size 120 --depth 30 far.off out.off A
+refused 1 'finer than .*more digits, as \.ply or \.stl' --depth 0.5 far.off out.off A
+awk 'NF == 3 && NR > 2 { $1 = $1 / 10 + 1005; $2 = $2 / 10 + 1005; $3 = $3 / 10 + 1005 } { print }' box.off >beside.off
+refused 1 'finer than .*more digits' --depth 0.004 beside.off out.wrl A  # steps of 0.01
 for ending in xyzzy 3ds u3d; do
 	refused 1 "format '$ending' cannot be written here.*\.stl, \.ply, .*\.wrl" box.off out.$ending A
 done

@@ -228,6 +228,13 @@ TEST(PointAndDirection, RefusesWhatIsNoPlace)
 	vcg::tri::Append<Mesh, Mesh>::Mesh(two, Box());
 	EXPECT_EQ(ProblemOf([&] { Plan(AtPoint({30, 20, 10}, {0, 0, 1}), ProbeOf(two)); }), RequestProblem::HiddenPlace);
 	ExpectNear(Plan(AtPoint({30, 20, 39}, {0, 0, 1}), ProbeOf(two))[0].frame.origin, {30, 20, 40});
+	Mesh insideOut;
+	vcg::tri::Append<Mesh, Mesh>::MeshCopy(insideOut, Box());
+	for (auto& f : insideOut.face) std::swap(f.V(1), f.V(2));
+	EXPECT_EQ(ProblemOf([&] {
+				  Plan(AtPoint({30, 20, 10}, {0, 0, 1}), ProbeOf(insideOut));
+			  }),
+	          RequestProblem::HiddenByBack);
 }
 
 TEST(CameraPlacement, LabelsTheCentreOfTheView)

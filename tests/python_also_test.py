@@ -72,9 +72,7 @@ class Also(InFolder):
                 self.assertEqual(list(self.folder.iterdir()), [])
         self.refused("Label 1 ('A43'): ", "Move the position", also=[{"text": "7", **BELOW}], position=(500, 0, 0), **first)
         self.refused("would be written over", also=[], report=BRACKET)
-        with self.assertRaisesRegex(textlabel.LabelError, "steps of"):  # of the format, when all labels are cut
-            self.label({"text": "7", **BELOW}, output="x.ctm", **first)
-        self.assertEqual(list(self.folder.iterdir()), [])
+        self.refused("moves vertices", also=[{"text": "7", **BELOW}], output="x.ctm", **first)
         self.label({"text": "7", **BELOW, "outline": self.folder / "outline.svg"}, **first)
         self.assertEqual(len(list(self.folder.iterdir())), 4)
         self.assertEqual(json.loads((self.folder / "report.json").read_text())["text"], "A43")

@@ -194,13 +194,39 @@ class Saves(InFolder):
         meshes.add_mesh(pymeshlab.Mesh(np.array(box_points(60, 40, 20), float) * 1e-5, BOX_TRIANGLES))
         tiny = self.folder / "tiny.ply"
         meshes.save_current_mesh(str(tiny))
-        self.refused(tiny, "tiny.3mf", "so few digits", ".stl")
-        self.refused(MESHES / "bracket.stl", "bracket.ctm", "so few digits", ".stl")
+        self.refused(tiny, "tiny.3mf", "finer than the coordinates", "more digits", ".stl")
+        self.refused(MESHES / "bracket.stl", "bracket.ctm", "moves vertices", ".stl")
         textlabel.label(tiny, "A4", self.folder / "tiny.stl")
         textlabel.label(MESHES / "bracket.stl", "A4", self.folder / "bracket.3mf")
         with self.assertRaisesRegex(textlabel.LabelError, "a flat label is a colour"):
             textlabel.label(MESHES / "bracket.stl", "A4", self.folder / "flat.3mf", style="Flat")
         self.assertFalse((self.folder / "flat.3mf").exists())
+
+    def test_files_of_six_digits_are_valid(self):
+        """As read back: beside the origin six digits are steps of 0.01, between which letters made for single precision fall."""
+        meshes = pymeshlab.MeshSet()
+        meshes.add_mesh(pymeshlab.Mesh(np.array(box_points(40, 20, 5), float) + 985, BOX_TRIANGLES))
+        part = self.folder / "part.ply"
+        meshes.save_current_mesh(str(part))
+        for ending in ("wrl", "x3d", "dae"):
+            with self.assertRaisesRegex(textlabel.LabelError, "finer than .*more digits"):
+                place = {"position": (1025, 995, 987.5), "direction": (1, 0, 0)}
+                textlabel.label(part, "A@3", self.folder / f"flat.{ending}", size=3, depth=0.004, **place)
+            for values in ({"size": 5, "depth": 1}, {"size": 3, "style": "Engrave"}, {"size": 4, "direction": (0.3, 0.2, 1)}):
+                with self.subTest(ending=ending, **values):
+                    out = self.folder / f"out.{ending}"
+                    report = textlabel.label(part, "A@3", out, position=(1005, 995, 990), **values)
+                    self.assertEqual(report["coordinate_step"], 0.01)
+                    back = pymeshlab.MeshSet()
+                    back.load_new_mesh(str(out))
+                    mesh = back.current_mesh()
+                    points, index = np.unique(mesh.vertex_matrix(), axis=0, return_inverse=True)
+                    mesh = Mesh(points, index.reshape(-1)[mesh.face_matrix()])
+                    self.assertEqual(surface_faults(mesh), [])
+                    a, b, c = (mesh.points[mesh.triangles[:, k]] for k in range(3))
+                    self.assertGreater((np.cross(b - a, c - a) ** 2).sum(axis=1).min(), 0)
+                    added = report["volume_after"] - report["volume_before"]
+                    self.assertAlmostEqual(volume(Mesh(mesh.points - 985, mesh.triangles)) - 4000, added, delta=0.02 * abs(added))
 
     def test_numbers_are_those_that_were_written(self):
         report = textlabel.label(MESHES / "bracket.stl", "A4", self.folder / "out.stl", size=9.1, depth=0.3)

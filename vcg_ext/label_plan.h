@@ -26,6 +26,7 @@ struct LabelOptions {
 	ExtrudeAlong along = ExtrudeAlong::Viewpoint;
 	double maxStretch = 8;     ///< refuse where a letter gets this much longer on the surface than in the plane
 	bool measureRoom = false;  ///< look for the next surface behind the letters however deep it lies: LabelResult::room
+	int fileDigits = 0;        ///< Precision::fileDigits
 	std::function<bool(int percent)> progress;  ///< may be null; false cancels
 };
 
@@ -45,15 +46,23 @@ struct LabelPlan {
 struct Precision {
 	bool isFloat = true;        ///< float32, else float64: what the label has to survive
 	bool storesDouble = false;  ///< the mesh itself keeps what is not rounded, which has to be right as well
+	int fileDigits = 0;         ///< of a text file that the label has to survive: see RoundToDigits; 0: it keeps all
 
-	double round(double x) const { return isFloat ? RoundToFloat(x) : x; }
+	/// Whether it keeps doubles as they are.
+	bool isExact() const { return !isFloat && fileDigits == 0; }
+	double round(double x) const
+	{
+		const double read = fileDigits == 0 ? x : RoundToDigits(storesDouble ? x : RoundToFloat(x), fileDigits);
+		return isFloat ? RoundToFloat(read) : read;
+	}
 	/// The step between coordinates of this size.
 	double ulp(double largest) const
 	{
 		const int digits = isFloat ? std::numeric_limits<float>::digits : std::numeric_limits<double>::digits;
 		const double least =
 			isFloat ? double(std::numeric_limits<float>::denorm_min()) : std::numeric_limits<double>::denorm_min();
-		return largest > 0 ? std::max(std::ldexp(1.0, std::ilogb(largest) + 1 - digits), least) : least;
+		const double step = largest > 0 ? std::max(std::ldexp(1.0, std::ilogb(largest) + 1 - digits), least) : least;
+		return fileDigits == 0 ? step : std::max(step, StepOfDigits(largest, fileDigits));
 	}
 };
 
@@ -398,14 +407,16 @@ inline PatchVerdict LabelPlanner::check(const LabelPatch& patch, double height) 
 		const std::vector<vcg::Point3d> position =
 			RoundedPositions(sheet_, patch, [&](double x) { return as.round(x); });
 		Suspects suspects;
-		if (isStraight && (isRepresentable_ || !as.isFloat))
+		if (isStraight && (isRepresentable_ || as.isExact()))
 			suspects = FindSuspects(space_, sheet_, layer_, patch, position, height, snap_);
 		const PatchVerdict verdict = CheckPatch(space_, sheet_, patch, position, suspects);
 		return isStraight || verdict.fault != PatchFault::Sound ? verdict : CheckSweptVolume(sheet_, patch, position);
 	};
 	const PatchVerdict verdict = checkAs(precision_);
-	if (verdict.fault != PatchFault::Sound || !(precision_.isFloat && precision_.storesDouble)) return verdict;
-	return checkAs({false, true});
+	const bool isAsStored = precision_.fileDigits == 0 && !(precision_.isFloat && precision_.storesDouble);
+	return isAsStored || verdict.fault != PatchFault::Sound
+	           ? verdict
+	           : checkAs({!precision_.storesDouble, precision_.storesDouble});
 }
 
 /// Find the largest height that works, for the message.

@@ -189,7 +189,8 @@ PlannedLabel PlanInBox(const MeshType& m, const LabelSpace& space, const Outline
 {
 	constexpr bool isDouble = std::is_same_v<typename MeshType::ScalarType, double>;
 	const auto planWith = [&](bool isFloat) {
-		return PlanInBox(m, space, outline, box, options, options.measureRoom, Precision{isFloat, isDouble});
+		return PlanInBox(m, space, outline, box, options, options.measureRoom,
+		                 Precision{isFloat, isDouble, options.fileDigits});
 	};
 	std::optional<Error> refusal;
 	try {

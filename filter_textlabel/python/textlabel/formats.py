@@ -5,8 +5,6 @@ import re
 import zipfile
 import zlib
 
-import numpy as np
-
 from .plugin import CHOICES, LabelError
 
 # endings
@@ -15,8 +13,8 @@ WITH_SINGLES = (*WITH_DOUBLES, ".stl")  # at least: what a label is checked for
 WITH_FACE_COLORS = (".ply", ".obj", ".off", ".stl")
 WITHOUT_TEXTURES = (".stl", ".off")
 LOSSY = (".ctm",)
+SIX_DECIMALS, SIX_DIGITS = -6, 6  # of other formats: the filter's file_digits
 POLYGON_STEP = 1e-7  # of an OBJ file with polygons, whose coordinates are written in single precision, too
-SAVED_DIGITS = 6  # of the others: significant ones, or decimals (.3mf)
 
 FLAT = CHOICES["style"].index("Flat")
 
@@ -26,12 +24,27 @@ def takes_textures(output):
     return _ending(output) not in WITHOUT_TEXTURES
 
 
+def file_digits(output):
+    """The filter's parameter of that name for labels on a part that is saved there."""
+    if _ending(output) in WITH_SINGLES:
+        return 0
+    return SIX_DECIMALS if _ending(output) == ".3mf" else SIX_DIGITS
+
+
+def refuse_lossy(output):
+    """Raise LabelError for a format that moves vertices."""
+    if _ending(output) in LOSSY:
+        raise LabelError(
+            f"'{output}' cannot be written: its format moves vertices a little, which could spoil the label. "
+            "Write a .ply, .obj, .off or .stl file."
+        )
+
+
 def strictest(reports):
     """What all labels on a part together ask of its file, as a report that the functions below take."""
     return {
         "survives_float32": all(report["survives_float32"] for report in reports),
         "coordinate_step": min(report["coordinate_step"] for report in reports),
-        "size": min(report["size"] for report in reports),
     }
 
 
@@ -60,29 +73,15 @@ def refuse_lost_color(values, output):
         )
 
 
-def refuse_lost_precision(mesh, report, output):
-    """Raise LabelError for letters finer than what the format keeps apart: far from the origin, very small, or in few digits.
+def refuse_lost_precision(report, output):
+    """Raise LabelError for letters that single precision does not keep apart, in a format that has no more.
 
-    mesh: the labelled pymeshlab.Mesh. report: of its label, or strictest().
+    report: of a label, or strictest().
     """
-    ending = _ending(output)
-    if not report["survives_float32"] and ending not in WITH_DOUBLES:
+    if not report["survives_float32"] and _ending(output) not in WITH_DOUBLES:
         raise LabelError(
             f"'{output}' cannot be written: its format has single precision, which would spoil letters so fine. "
             "Write a .ply, .obj or .off file, make the text larger and deeper, or move the part nearer to the origin."
-        )
-    if ending in WITH_SINGLES:
-        return
-    if ending == ".3mf":
-        step, most = 10.0**-SAVED_DIGITS, 4 * report["coordinate_step"]
-    else:
-        corners = mesh.bounding_box()
-        largest = max(np.abs(corners.min()).max(), np.abs(corners.max()).max())
-        step, most = 10.0 ** (np.floor(np.log10(largest)) + 1 - SAVED_DIGITS), report["size"] / 400  # as curves are cut
-    if ending in LOSSY or step > most:
-        raise LabelError(
-            f"'{output}' cannot be written: its format is saved with so few digits (steps of {step:g} here) that the label could be "
-            "spoilt. Write a .ply, .obj, .off or .stl file."
         )
 
 

@@ -34,11 +34,13 @@ def label(mesh, text, output=None, also=(), **parameters):
         if also:
             raise LabelError("A MeshSet takes one label at a time. Label it once for each text.")
         output = _resolved(output)
-        if output is not None and formats.takes_textures(output):
-            _refuse_far_textures(mesh, "the mesh")
+        if output is not None:
+            formats.refuse_lossy(output)
+            if formats.takes_textures(output):
+                _refuse_far_textures(mesh, "the mesh")
         report = _apply(mesh, {**parameters, "text": text}, output)
         if output is not None:
-            formats.refuse_lost_precision(mesh.current_mesh(), report, output)
+            formats.refuse_lost_precision(report, output)
             _save_in_place(mesh, output, report)
         return report
     if output is None:
@@ -74,6 +76,7 @@ class Part:
         """Write the part with the text cut into it to the file output; see label()."""
         _check_also(also)
         output = _resolved(output)
+        formats.refuse_lossy(output)
         self._set.set_current_mesh(self._original)
         if formats.takes_textures(output):
             self._refuse_lost_textures()
@@ -84,7 +87,7 @@ class Part:
             with Aside(taken=[self.path, output]) as aside:
                 reports = _apply_all(self._set, [{**parameters, "text": text}, *also], output, aside)
                 strictest = formats.strictest(reports)
-                formats.refuse_lost_precision(self._set.current_mesh(), strictest, output)
+                formats.refuse_lost_precision(strictest, output)
                 _save(self._set, output, strictest, untouched)
                 aside.move()
         finally:
@@ -191,6 +194,8 @@ def _apply_all(mesh_set, labels, output, aside):
 def _apply(mesh_set, values, output):
     """Cut a label into the current mesh. values: of the filter's parameters, the text among them. Returns the report."""
     load_plugin()
+    if output is not None:
+        values = {"file_digits": formats.file_digits(output), **values}
     values = check_values(values)
     if output is not None:
         formats.refuse_lost_color(values, output)
