@@ -58,11 +58,10 @@ struct LabelRequest {
 	double minStroke = 0, minGap = 0;  ///< > 0: refuse letters below it
 	bool tint = false;                 ///< colour the faces of a raised or sunk label too
 	Rgb color{230, 60, 20};
-	double maxStretch = 8;  ///< largest surface length over label length
-	double fileDigits =
-		0;                ///< of the file that it is saved to: > 0 significant ones, < 0 decimals; 0: single precision
-	std::string report;   ///< file for the report (JSON); empty: none
-	std::string picture;  ///< file for a picture (PNG); empty: none
+	double maxStretch = 8;     ///< largest surface length over label length
+	double fileDigits = 0;     ///< of the file: > 0 significant ones, < 0 decimals; 0: single precision
+	std::string report;        ///< file for the report (JSON); empty: none
+	std::string picture;       ///< file for a picture (PNG); empty: none
 	bool pictureBack = false;  ///< the picture shows the label from behind (open surfaces)
 	std::string outline;       ///< file for the flat label (SVG); empty: none
 };

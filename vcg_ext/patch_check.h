@@ -66,7 +66,8 @@ inline Corners CornersOf(const std::vector<vcg::Point3d>& position, const IndexT
 	return {position[size_t(t[0])], position[size_t(t[1])], position[size_t(t[2])]};
 }
 
-/// A vertex that rounding has made one with another; or -1. `marked` has one for each position: only pairs of which one is marked are looked at.
+/// A vertex that rounding has made one with another; or -1. Only pairs of which one is marked are looked at.
+/// @param[in] marked  #position
 inline int FindMerged(const std::vector<vcg::Point3d>& position, const std::vector<char>& marked)
 {
 	PlaceTable table(position, size_t(std::count(marked.begin(), marked.end(), 1)));
