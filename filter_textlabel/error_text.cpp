@@ -151,6 +151,7 @@ std::string NumberSentence(const RequestError& error)
 	const std::string is = "The parameter " + error.parameter + " is " + Figure(error.value);
 	switch (error.problem) {
 	case RequestProblem::NotANumber: return is + ". Give a finite number.";
+	case RequestProblem::NotWhole: return is + ". Give a whole number.";
 	case RequestProblem::NeitherPositiveNorFit:
 		return is + ". Give a number above 0 in the units of the mesh, or -1 to have one chosen.";
 	case RequestProblem::LargerThanPart:
@@ -258,12 +259,11 @@ std::string ErrorText(const RequestError& error)
 		       " in front of the nearest one that faces the viewer. The part's faces are turned inside out: run " +
 		       invertFaces + " first. Or, if they are not, look from another direction.";
 	case RequestProblem::NoPlace:
-		return error.value > 0 ? "No place on the part holds the text at size " + Figure(error.value) +
-		                             ". Make it smaller, or use size -1 to have one chosen."
-		                       : "No place on the part holds the text. Make the text shorter, or choose a place "
-		                         "yourself (placement "
-		                         "Point and direction). If the part's faces are turned inside out, run " +
-		                             invertFaces + " first.";
+		return "No place on the part holds the text" +
+		       (error.value > 0
+		            ? " at size " + Figure(error.value) + ". Make it smaller, or use size -1 to have one chosen."
+		            : ". Make the text shorter, or choose a place yourself (placement Point and direction).") +
+		       " If the part's faces are turned inside out, run " + invertFaces + " first.";
 	case RequestProblem::FileNotWritten:
 		return "The file '" + error.detail + "' (" + error.parameter +
 		       ") cannot be written. Choose a folder that exists, may be written to, and has room.";

@@ -311,6 +311,8 @@ void CheckRequest(const LabelRequest& request, const vcg::Box3d& box)
 	CheckRange("max_stretch", request.maxStretch, 1, INFINITY);
 	constexpr double mostDigits = 15;  // of a double
 	CheckRange("file_digits", request.fileDigits, -mostDigits, mostDigits);
+	if (request.fileDigits != std::trunc(request.fileDigits))
+		throw RequestError(RequestProblem::NotWhole, "file_digits").measured(request.fileDigits);
 }
 
 }  // namespace textlabel

@@ -11,6 +11,7 @@ enum class RequestProblem {
 	HasOwnField,            ///< parameter: the name of one that is not for More options
 	UnreadableValue,        ///< detail: the text
 	NotANumber,             ///< NaN or infinite
+	NotWhole,               ///< a number with a fraction
 	NeitherPositiveNorFit,  ///< value; -1 would be "chosen to fit"
 	LargerThanPart,         ///< value, limit: the part's diagonal
 	OutOfRange,             ///< value, limit: the bound that it breaks

@@ -60,7 +60,7 @@ class Also(InFolder):
             ("Move the position", {"position": (500, 0, 0)}),
             ("'/no/such/r.json' .report. cannot be written", {"report": "/no/such/r.json"}),
             ("the name of a .png file", {"picture": self.folder / "x.gif"}),
-            ("text is a folder|cannot be written", {"outline": self.folder}),
+            ("cannot be written", {"outline": self.folder / "a.svg" / "b.svg"}),
             ("report takes a text", {"report": 5}),
             ("The report would be written over .*report.json", {"report": self.folder / "report.json"}),
             ("The outline would be written over .*out.stl", {"outline": self.folder / "out.stl"}),

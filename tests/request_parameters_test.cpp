@@ -235,6 +235,9 @@ TEST(Checks, RefuseNumbersThatNoPartTakes)
 	}
 	EXPECT_EQ(problem("position", "0,nan,0"), RequestProblem::NotANumber);
 	EXPECT_EQ(problem("max_stretch", "0.5"), RequestProblem::OutOfRange);
+	EXPECT_EQ(problem("file_digits", "16"), RequestProblem::OutOfRange);
+	EXPECT_EQ(problem("file_digits", "nan"), RequestProblem::NotANumber);
+	EXPECT_EQ(problem("file_digits", "6.5"), RequestProblem::NotWhole);
 	LabelRequest flat;
 	flat.style = LabelStyle::Flat;
 	flat.depth = 0;

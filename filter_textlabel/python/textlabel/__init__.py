@@ -7,6 +7,8 @@
     for number in range(1, 101):
         part.label(f"A{number:04}", f"out/A{number:04}.stl")
 
+    textlabel.label("bracket.stl", "A43", "labelled.stl", also=[{"text": "A43", "code": "data matrix"}])  # and more on it
+
 Every keyword is a parameter of the filter: textlabel.defaults() has all of them. Reports are dictionaries of plain
 values: triangles_added, label_area, volume_before, volume_after, anchor, normal, stretch, milliseconds and more; where
 the part has at most 50,000 triangles, or a report is asked for, border_edges and genus (of an oriented manifold) too.
