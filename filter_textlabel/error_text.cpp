@@ -91,6 +91,8 @@ std::string PlaceText(const Error& error, const ErrorContext& context)
 		return letter + " runs over a border or a hole of the surface" + where + ". " + moveIt +
 		       " Or close the hole first.";
 	case ErrorCode::Silhouette:
+		if (context.isWrapped)
+			return letter + " runs over an edge where the part turns away from the reader" + where + ". " + moveIt;
 		return letter + " runs over the horizon of the part as seen from the viewpoint" + where + ". " + moveIt;
 	case ErrorCode::NonManifold:
 		return letter +
@@ -99,7 +101,17 @@ std::string PlaceText(const Error& error, const ErrorContext& context)
 	case ErrorCode::Occluded:
 		return letter + " is partly hidden from the viewer by another surface" + where +
 		       ". Look at the place from another side, or move the label.";
+	case ErrorCode::TooLong:
+		return "The label is " + FigureAbove(error.value) + " long with its margins, and the way round the part is " +
+		       FigureBelow(error.limit) + ". Make the text smaller (size) or shorter.";
 	case ErrorCode::BehindCamera:
+		if (context.isWrapped && error.value != 0)
+			return letter + " would reach the axis that it runs round" + where + ". Use a smaller depth.";
+		if (context.isWrapped)
+			return letter + " meets a face that cannot be unrolled" + where +
+			       ": one that reaches to the axis, as the end of a turned part does, or one on the far side where the "
+			       "two ends of the label come near each other. " +
+			       moveIt;
 		if (error.value > 0)
 			return letter + " would rise to the camera" + where +
 			       ". Use a smaller depth, or move the camera away from the part.";
@@ -258,6 +270,12 @@ std::string ErrorText(const RequestError& error)
 		return "The first surface on the line to the position shows its back, " + Figure(error.value) +
 		       " in front of the nearest one that faces the viewer. The part's faces are turned inside out: run " +
 		       invertFaces + " first. Or, if they are not, look from another direction.";
+	case RequestProblem::WrapNeedsPlace:
+		return "A label that is wrapped needs a place: give a position and a direction (placement Point and direction), "
+			   "or a view.";
+	case RequestProblem::NoAxis:
+		return "The surface at the place bends round no axis that can be measured. Move the place to where the part is "
+			   "round, or say how far behind it the axis is (wrap_radius) and that it points upwards in the label (up).";
 	case RequestProblem::NoPlace:
 		return "No place on the part holds the text" +
 		       (error.value > 0

@@ -16,6 +16,7 @@ struct ErrorContext {
 	double depth = 0;                  ///< signed height that was tried, world units
 	bool isMade = false;               ///< the label is in the mesh: what failed came after it
 	int fileDigits = 0;                ///< LabelOptions::fileDigits
+	bool isWrapped = false;            ///< round an axis
 };
 
 /// "The letter 'B' runs over a border of the surface near (1, 2, 3). Move the label, or ..."

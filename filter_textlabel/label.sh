@@ -22,6 +22,7 @@ Where, by default the largest flat region that holds the text:
   --camera FILE         in the centre of this view: what MeshLab's "Copy camera settings to clipboard" gives
   --offset U,V          shift to the right and upwards, mesh units
   --rotate DEG          turn counter-clockwise
+  --wrap                with --at or --camera: round the part, as on a bottle or a ring
 How:
   --style emboss|engrave|flat
   --size H              height of a capital letter, mesh units (default: chosen to fit)
@@ -94,6 +95,7 @@ while [ $# -gt 0 ]; do
 		value=$1
 		shift
 		;;
+	--wrap) parameters+=("wrap=true") ;;
 	-?*) wrong "there is no option $option; write -- before a text that begins with a dash" ;;
 	*) files+=("$option") ;;
 	esac

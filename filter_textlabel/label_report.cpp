@@ -53,6 +53,7 @@ std::string View(const UsedView& view)
 	Object object;
 	object.add("direction", view.direction).add("up", view.up).add("perspective", view.perspective);
 	if (view.perspective) object.add("viewpoint", view.viewpoint);
+	if (view.wrapRadius != 0) object.add("wrap_radius", view.wrapRadius).add("wrap_axis", view.wrapAxis);
 	return object.str();
 }
 

@@ -25,6 +25,8 @@ struct UsedView {
 	vcg::Point3d up{0, 1, 0};         ///< unit
 	bool perspective = false;
 	vcg::Point3d viewpoint{0, 0, 0};  ///< when perspective
+	double wrapRadius = 0;            ///< not 0: wrapped round an axis so far behind the anchor
+	vcg::Point3d wrapAxis{0, 1, 0};   ///< unit, when wrapped
 };
 
 struct LabelReport {

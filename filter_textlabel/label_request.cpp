@@ -308,6 +308,10 @@ void CheckRequest(const LabelRequest& request, const vcg::Box3d& box)
 	CheckLength("tolerance", request.tolerance, box.Diag());
 	CheckRange("fit_width", request.fitWidth, 0, box.Diag());
 	CheckRange("field_of_view", request.fieldOfView, 0, 180);
+	constexpr double farthest = 1e3;  // of the diagonal: what is less bent is flat
+	CheckRange("wrap_radius", request.wrapRadius, -farthest * box.Diag(), farthest * box.Diag());
+	if (request.wrap && request.placement == PlacementKind::Automatic)
+		throw RequestError(RequestProblem::WrapNeedsPlace, "wrap");
 	CheckRange("max_stretch", request.maxStretch, 1, INFINITY);
 	constexpr double mostDigits = 15;  // of a double
 	CheckRange("file_digits", request.fileDigits, -mostDigits, mostDigits);

@@ -76,6 +76,10 @@ PartProbe LabelJob<MeshType>::probe() const
 				PartGeometry geometry = GeometryOf(m_, toWorld_);
 				geometry.paint = PaintOf(m_);
 				return geometry;
+			},
+	        [this](vcg::textlabel::LabelFrame frame, double halfSide) {
+				frame.toWorld = toWorld_;
+				return CollectSurface(m_, frame, halfSide);
 			}};
 }
 
@@ -222,6 +226,7 @@ void LabelJob<MeshType>::tryAttempt(const LabelRequest& request, const Attempt& 
 	frame_.toWorld = toWorld_;
 	size_ = attempt.size;
 	context_.letters = outline.letters;
+	context_.isWrapped = frame_.wrapRadius != 0;
 	const bool choose = request.depth == ChosenToFit && request.style != LabelStyle::Flat;
 	if (!choose) return labelAtDepth(request, outline, request.depth);
 	double depth = outline.module > 0 ? outline.module / moduleOverDepth : size_ / sizeOverDepth;
@@ -331,7 +336,8 @@ LabelReport LabelJob<MeshType>::report(const LabelRequest& request) const
 	r.resolution = result_.resolution;
 	r.coordinateStep = result_.coordinateStep;
 	r.survivesFloat32 = result_.survivesFloat32;
-	r.view = {frame_.origin, frame_.w, frame_.v, frame_.perspective, frame_.center};
+	r.view = {frame_.origin,      frame_.w,      frame_.v,      frame_.perspective,
+	          frame_.center, frame_.wrapRadius, frame_.wrapAxis};
 	return r;
 }
 

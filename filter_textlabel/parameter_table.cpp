@@ -103,6 +103,15 @@ const std::vector<Parameter>& ParameterTable()
 		{"offset_v", "Shift up (mesh units)",
 	     "Moves the label upwards, as the viewer sees it and before it is rotated.", &R::offsetV},
 		{"rotation", "Rotation (degrees)", "Turns the label counter-clockwise, as the viewer sees it.", &R::rotation},
+		{"wrap", "Wrap round the part",
+	     "Runs the label round the part, as on a bottle, a ring or a shaft: every letter looks straight away from the "
+	     "axis, or towards it inside a pipe. The axis is found from the surface at the place; the text reads round it "
+	     "or along it, whichever is nearer to how it would be flat. Not for the placement Automatic.",
+	     &R::wrap},
+		{"wrap_radius", "Distance to the axis (mesh units)",
+	     "For Wrap round the part: from the place straight behind it to the axis, which then has the direction of the "
+	     "label's up; negative: towards the viewer, for the inside of a pipe. 0: found from the surface.",
+	     &R::wrapRadius, Use::Value, advanced},
 		{"extrude_along", "Extrude along",
 	     "Viewpoint: along the lines of sight; this never folds. Label normal: straight out of the label's "
 	     "plane. Surface normal: along the smoothed normals of the surface.",

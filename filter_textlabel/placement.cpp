@@ -199,6 +199,9 @@ bool OfferAtPlace(const LabelRequest& request, double size, const Camera& camera
 	constexpr double largestLetters = 0.08, largestCode = 0.25;
 	LabelFrame frame = request.placement == PlacementKind::PointAndDirection ? PlaceAtPoint(request, part)
 	                                                                         : PlaceInView(request, camera, part);
+	if (request.wrap)
+		frame = request.wrapRadius != 0 ? WrappedFrame(frame, request.wrapRadius)
+		                                : WrappedFrame(frame, part.box.Diag(), part.surfaceAround);
 	Rotate(frame, request.rotation);
 	if (size != ChosenToFit) return accept({frame, size, 0});
 	const double largest = request.code == CodeKind::None ? largestLetters : largestCode;

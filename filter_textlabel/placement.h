@@ -8,6 +8,7 @@
 #include "camera_xml.h"
 #include "label_request.h"
 #include "surface_line.h"
+#include "wrap_axis.h"
 
 #include <functional>
 #include <optional>
@@ -34,6 +35,7 @@ struct PartProbe {
 	vcg::Box3d box;                                                       ///< world coordinates, not null
 	std::function<std::vector<SurfaceHit>(const SightLine&)> hitsOnLine;  ///< see surface_line.h
 	std::function<PartGeometry()> geometry;
+	SurfaceAround surfaceAround;
 };
 
 /// A request's text at any size; the last outline is kept.
@@ -58,7 +60,8 @@ Camera RequestedCamera(const LabelRequest& request);
 /// @param[in] accept  tries one; true ends the search
 /// @return false when none was accepted, of one at least
 /// @throws what accept throws
-/// @throws RequestError{DirectionZero, UpAlongDirection, ViewMissesPart, ViewFromInside, PointMissesPart, HiddenPlace, HiddenByBack, NoPlace}
+/// @throws RequestError{DirectionZero, UpAlongDirection, ViewMissesPart, ViewFromInside, PointMissesPart, HiddenPlace, HiddenByBack, NoAxis,
+///         NoPlace}
 /// @throws TextError
 bool OfferAttempts(const LabelRequest& request, const Camera& camera, const PartProbe& part, TextSetter& text,
                    const std::function<bool(const Attempt&)>& accept);

@@ -28,6 +28,8 @@ enum class RequestProblem {
 	PointMissesPart,  ///< no face that looks to the viewer on the line through the position
 	HiddenPlace,      ///< another face lies before the position; value: distance between them
 	HiddenByBack,     ///< the same of one that shows its back
+	WrapNeedsPlace,   ///< wrapped, and the placement is Automatic
+	NoAxis,           ///< the surface bends round no axis at the place
 	NoPlace,          ///< Automatic found nothing; value: the size asked, or ChosenToFit
 	FileNotWritten,   ///< detail: the path
 };

@@ -1,7 +1,7 @@
 // label_fuzz: labels by the thousand, each judged; the long run of the fuzzer.
 //
 // usage: label_fuzz [--labels N] [--seed S] [--jobs J] [--seconds LIMIT] [--keep FOLDER]
-//                   [--family clean|spoiled|hostile]
+//                   [--family clean|spoiled|hostile|wrapped]
 //        label_fuzz --show SEED        print the case of a seed and its verdict
 //        label_fuzz [--reduce] FILE... judge cases in text form; reduce them to FILE.small
 //
@@ -42,6 +42,7 @@ LabelCase CaseOf(const Arguments& a, long seed)
 	Random random{std::uint64_t(seed)};
 	if (a.family == "clean") return MakeCleanLabel(random);
 	if (a.family == "spoiled") return MakeSpoiledLabel(random);
+	if (a.family == "wrapped") return MakeWrappedLabel(random);
 	return a.family == "hostile" ? MakeHostileLabel(random) : MakeLabelCase(random);
 }
 
@@ -83,8 +84,8 @@ const char* CodeName(ErrorCode code)
 {
 	constexpr const char* names[] = {"EmptyLabel",  "BadContour", "BadFrame",     "BadHeight",  "EmptyMesh",
 	                                 "TooLarge",    "OffSurface", "FacesAway",    "Border",     "Silhouette",
-	                                 "NonManifold", "Occluded",   "BehindCamera", "Grazing",    "TooFine",
-	                                 "HitsSurface", "HitsItself", "Cancelled",    "OutOfMemory"};
+	                                 "NonManifold", "Occluded",   "BehindCamera", "TooLong",    "Grazing",
+	                                 "TooFine",     "HitsSurface", "HitsItself", "Cancelled",    "OutOfMemory"};
 	static_assert(std::size(names) == size_t(ErrorCode::OutOfMemory) + 1);
 	return names[int(code)];
 }

@@ -9,6 +9,7 @@
 //   p u v                               a point in the label plane
 //   origin | right | up | towards x y z the frame; world coordinates
 //   center x y z                        the centre of projection; absent: parallel
+//   wrap radius x y z                   round an axis of this direction; absent: not wrapped
 //   matrix 16 numbers                   the layer's matrix by rows; absent: identity
 //   height h                            world units
 //   along viewpoint | label | surface
@@ -68,6 +69,10 @@ inline void Write(std::ostream& out, const LabelCase& c)
 	point("up", c.frame.v);
 	point("towards", c.frame.w);
 	if (c.frame.perspective) point("center", c.frame.center);
+	if (c.frame.wrapRadius != 0) {
+		out << "wrap " << c.frame.wrapRadius;
+		point("", c.frame.wrapAxis);
+	}
 	out << "matrix";
 	for (int i = 0; i < 16; ++i) out << ' ' << c.frame.toWorld.ElementAt(i / 4, i % 4);
 	out << "\nheight " << c.height << "\nalong " << Name(c.along) << "\nstretch " << c.maxStretch << '\n';
@@ -138,6 +143,7 @@ inline bool ReadItem(const std::string& word, std::istream& in, LabelCase& c)
 	if (word == "up") return c.frame.v = ReadPoint(in), true;
 	if (word == "towards") return c.frame.w = ReadPoint(in), true;
 	if (word == "center") return c.frame.center = ReadPoint(in), c.frame.perspective = true;
+	if (word == "wrap") return c.frame.wrapRadius = ReadNumber(in), c.frame.wrapAxis = ReadPoint(in), true;
 	if (word == "matrix") {
 		for (int i = 0; i < 16; ++i) c.frame.toWorld.ElementAt(i / 4, i % 4) = ReadNumber(in);
 		return true;

@@ -84,11 +84,19 @@ TEST(LabelFuzz, LabelsAnywhereAreValidOrRefused)
 	EXPECT_GT(tally.refused, tally.labels / 5);
 }
 
+TEST(LabelFuzz, WrappedLabelsAreValidOrRefused)
+{
+	const Tally tally = RunSeeds(1, 800, MakeWrappedLabel);
+	EXPECT_GT(tally.mustWork, tally.labels / 20);
+	EXPECT_GT(tally.valid, tally.labels / 3);
+	EXPECT_GT(tally.refused, tally.labels / 5);
+}
+
 TEST(LabelFuzz, ACaseIsReadAsItWasWritten)
 {
 	for (std::uint64_t seed = 1; seed <= 50; ++seed) {
 		Random random(seed);
-		const LabelCase c = MakeLabelCase(random);
+		const LabelCase c = seed % 5 ? MakeLabelCase(random) : MakeWrappedLabel(random);
 		std::stringstream text, again;
 		Write(text, c);
 		const std::string before = text.str();

@@ -5,9 +5,15 @@
 // surface, so that parts at offsets of 1e6 or sizes of 1e-5 lose nothing. The label plane is z = 0. A point is projected to it from
 // the centre of projection C (perspective) or along -z (parallel). Both keep straight lines straight, so every decision about
 // contours and triangles is taken in the plane: the plane through C, V_i and V_i+1 of the paper is the line through two points.
-// Source: Slabaugh et al., section 3.1.
+// A wrapped label runs round an axis: label space is then unrolled. Along the way round stands the length of an arc of the cylinder
+// through the origin, z is the distance from that cylinder, and the projection along -z runs towards the axis. Unrolling bends straight
+// lines, so it is applied to the vertices of the mesh alone: a triangle is straight between its unrolled corners, and a point of it
+// has the same weights of the corners here and there. So each facet of a coarse cylinder is unrolled as a flat piece, neighbours stay
+// neighbours, and what is decided in the plane holds on the surface.
+// Source: Slabaugh et al., section 3.1; wrapped labels are new.
 
 #include "label_error.h"
+#include "plane_box.h"
 #include "vertex_point.h"
 
 #include <algorithm>
@@ -27,6 +33,8 @@ struct LabelFrame {
 	vcg::Point3d w{0, 0, 1};              ///< u x v, towards the viewer
 	bool perspective = false;             ///< false: parallel projection along -w
 	vcg::Point3d center{0, 0, 0};         ///< centre of projection C, when perspective
+	double wrapRadius = 0;  ///< not 0: wrapped round an axis so far behind the origin, before it when negative (inside a pipe)
+	vcg::Point3d wrapAxis{0, 1, 0};       ///< its direction, unit, perpendicular to w; meaningful when wrapped
 	vcg::Matrix44d toWorld = Identity();  ///< the layer's matrix, mesh to world; affine, may mirror
 
 	static vcg::Matrix44d Identity()
@@ -64,16 +72,30 @@ inline LabelFrame FrameFromDirection(const vcg::Point3d& origin, const vcg::Poin
 /// Maps mesh coordinates to label space and on to the label plane, and back.
 class LabelSpace {
 public:
-	/// @throws Error{BadFrame} when the frame is not finite and orthonormal, the layer's matrix is singular, or C is not
-	///         on the viewer's side of the label plane
-	explicit LabelSpace(const LabelFrame& frame);
+	/// @param[in] middle  label plane: opposite to it a wrapped surface is cut open
+	/// @throws Error{BadFrame} when the frame is not finite and orthonormal, the layer's matrix is singular, C is not on the
+	///         viewer's side of the label plane, or the axis is not across the line of sight
+	explicit LabelSpace(const LabelFrame& frame, const vcg::Point2d& middle = {0, 0});
 
 	/// Mesh coordinates to label space.
-	vcg::Point3d toLabel(const vcg::Point3d& mesh) const { return multiply(meshToLabel_, mesh - meshOrigin_); }
+	vcg::Point3d toLabel(const vcg::Point3d& mesh) const { return wraps() ? turned(unrolled(mesh)) : inFrame(mesh); }
 	/// Label space to mesh coordinates.
-	vcg::Point3d toMesh(const vcg::Point3d& label) const { return multiply(labelToMesh_, label) + meshOrigin_; }
-	/// A vector (no point) of label space in mesh coordinates.
-	vcg::Point3d vectorToMesh(const vcg::Point3d& label) const { return multiply(labelToMesh_, label); }
+	vcg::Point3d toMesh(const vcg::Point3d& label) const;
+	/// A vector (no point) of label space at a point of the mesh, in mesh coordinates.
+	vcg::Point3d vectorToMesh(const vcg::Point3d& atMesh, const vcg::Point3d& label) const;
+	/// Mesh coordinates to those along the frame's axes: label space where nothing is wrapped.
+	vcg::Point3d inFrame(const vcg::Point3d& mesh) const { return multiply(meshToLabel_, mesh - meshOrigin_); }
+
+	bool wraps() const { return radius_ != 0; }
+	/// Length of the way round the axis on the label's cylinder.
+	double circumference() const { return 2 * pi * std::abs(radius_); }
+	/// Where a point lies on its way round the axis (an arc of the label's cylinder, up to half a circumference to both sides of the
+	/// middle), along the axis, and how far from that cylinder towards the viewer. @pre wraps()
+	vcg::Point3d unrolled(const vcg::Point3d& mesh) const;
+	/// The box of a label as seen along the way round and along the axis. @pre wraps()
+	PlaneBox unrolledBox(const PlaneBox& box) const;
+	/// The way round of a point of label space. @pre wraps()
+	double wayRound(const vcg::Point3d& q) const { return across_[0] * q[0] + across_[1] * q[1]; }
 
 	bool perspective() const { return perspective_; }
 	/// Centre of projection in label space; meaningful when perspective().
@@ -84,8 +106,11 @@ public:
 	double scale() const { return scale_; }
 	/// Label space: what lies safely in front of the centre of projection has a smaller z.
 	double nearestZ() const { return nearestZ_; }
-	/// True when q lies safely in front of the centre of projection.
-	bool isInFront(const vcg::Point3d& q) const { return !perspective_ || q[2] < nearestZ_; }
+	/// True when q lies safely in front of the centre of projection; where it is wrapped, off the axis.
+	bool isInFront(const vcg::Point3d& q) const
+	{
+		return wraps() ? distanceAt(q[2]) > nearPlane * std::abs(radius_) : !perspective_ || q[2] < nearestZ_;
+	}
 
 	/// Size of the projection over size in space, for what lies at q and faces the viewer; also the weight of a vertex
 	/// when interpolating along projected lines (perspective-correct). 1 in parallel projection.
@@ -107,18 +132,77 @@ public:
 
 private:
 	using Rows = vcg::Point3d[3];
+	static constexpr double nearPlane = 1e-3;  // of the distance from C, or the axis, to the label plane
+	static constexpr double pi = 3.141592653589793;
+	/// From the axis, at a height of label space.
+	double distanceAt(double z) const { return std::abs(radius_) + std::copysign(z, z * radius_); }
+	/// From the axis across it, and towards the middle of the frame, of a point along the frame's axes. @pre wraps()
+	vcg::Point2d offAxis(const vcg::Point3d& q) const
+	{
+		return vcg::Point2d(wayRound(q), q[2] + radius_) * std::copysign(1.0, radius_);
+	}
+	/// From the way round and along the axis to the label plane's axes.
+	vcg::Point3d turned(const vcg::Point3d& p) const
+	{
+		return {across_[0] * p[0] - across_[1] * p[1], across_[1] * p[0] + across_[0] * p[1], p[2]};
+	}
 	static vcg::Point3d multiply(const Rows& m, const vcg::Point3d& p) { return {m[0] * p, m[1] * p, m[2] * p}; }
 
 	Rows meshToLabel_, labelToMesh_;
 	vcg::Point3d meshOrigin_{0, 0, 0}, center_{0, 0, 0};
 	double nearestZ_ = std::numeric_limits<double>::infinity(), scale_ = 1;
 	bool perspective_ = false, mirrors_ = false;
+	// wrapped
+	double radius_ = 0;
+	vcg::Point2d across_{1, 0};  ///< label plane: the way round; the axis is to its left
+	double middle_ = 0, middleSine_ = 0, middleCosine_ = 1;  ///< angle round the axis
 };
 
-inline LabelSpace::LabelSpace(const LabelFrame& f) : perspective_(f.perspective)
+inline vcg::Point3d LabelSpace::unrolled(const vcg::Point3d& mesh) const
+{
+	const vcg::Point3d q = inFrame(mesh);
+	const vcg::Point2d p = offAxis(q);
+	const double angle = std::atan2(p[0] * middleCosine_ - p[1] * middleSine_, p[0] * middleSine_ + p[1] * middleCosine_);
+	return {(angle + middle_) * radius_, across_[0] * q[1] - across_[1] * q[0],
+	        std::copysign(1.0, radius_) * (std::hypot(p[0], p[1]) - std::abs(radius_))};
+}
+
+inline vcg::Point3d LabelSpace::toMesh(const vcg::Point3d& label) const
+{
+	vcg::Point3d q = label;
+	if (wraps()) {
+		const double angle = wayRound(label) / radius_, distance = std::copysign(distanceAt(label[2]), radius_);
+		const double axial = across_[0] * label[1] - across_[1] * label[0];
+		q = turned({distance * std::sin(angle), axial, distance * std::cos(angle) - radius_});
+	}
+	return multiply(labelToMesh_, q) + meshOrigin_;
+}
+
+inline vcg::Point3d LabelSpace::vectorToMesh(const vcg::Point3d& atMesh, const vcg::Point3d& label) const
+{
+	vcg::Point3d d = label;
+	if (wraps()) {
+		const vcg::Point2d p = offAxis(inFrame(atMesh));
+		const double distance = std::hypot(p[0], p[1]), sine = distance > 0 ? p[0] / distance : 0,
+					 cosine = distance > 0 ? p[1] / distance : 1;
+		const double along = wayRound(label), axial = across_[0] * label[1] - across_[1] * label[0];
+		d = turned({along * cosine + label[2] * sine, axial, label[2] * cosine - along * sine});
+	}
+	return multiply(labelToMesh_, d);
+}
+
+inline PlaneBox LabelSpace::unrolledBox(const PlaneBox& box) const
+{
+	PlaneBox out;
+	for (const double x : {box.low[0], box.high[0]})
+		for (const double y : {box.low[1], box.high[1]})
+			out.add({across_[0] * x + across_[1] * y, across_[0] * y - across_[1] * x});
+	return out;
+}
+
+inline LabelSpace::LabelSpace(const LabelFrame& f, const vcg::Point2d& middle) : perspective_(f.perspective)
 {
 	constexpr double orthonormality = 1e-9;  // what a caller's rounding may leave
-	constexpr double nearPlane = 1e-3;       // of the distance from C to the label plane
 	const auto bad = [](const char* why) { throw Error(ErrorCode::BadFrame, why); };
 	for (const vcg::Point3d& p : {f.origin, f.u, f.v, f.w, f.center})
 		if (!IsFinite(p)) bad("the frame is not finite");
@@ -156,6 +240,17 @@ inline LabelSpace::LabelSpace(const LabelFrame& f) : perspective_(f.perspective)
 		if (!(center_[2] > 0)) bad("the centre of projection is not in front of the label plane");
 		nearestZ_ = center_[2] * (1 - nearPlane);
 	}
+	if (f.wrapRadius == 0) return;
+	if (f.perspective) bad("a wrapped label is projected towards its axis, from no centre");
+	if (!std::isfinite(f.wrapRadius) || !IsFinite(f.wrapAxis)) bad("the axis is not finite");
+	if (!(std::abs(f.wrapAxis * f.wrapAxis - 1) < orthonormality) || !(std::abs(f.wrapAxis * f.w) < orthonormality))
+		bad("the axis is not a unit vector across the line of sight");
+	radius_ = f.wrapRadius;
+	across_ = {f.wrapAxis * f.v, -(f.wrapAxis * f.u)};
+	across_ /= across_.Norm();
+	middle_ = (across_ * middle) / radius_;
+	middleSine_ = std::sin(middle_);
+	middleCosine_ = std::cos(middle_);
 }
 
 }  // namespace vcg::textlabel

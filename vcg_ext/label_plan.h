@@ -361,9 +361,10 @@ inline void LabelPlanner::checkRoom(LabelPlan& plan) const
 			.measured(-options_.height, std::max(clearance.behind - margin * snap_, 0.0));
 }
 
-/// Whether all that is raised stays on the line of sight through it.
+/// Whether all that is raised stays on the line of sight through it, and what is straight there is straight in the label's space.
 inline bool LabelPlanner::staysOnRays() const
 {
+	if (space_.wraps()) return false;
 	return options_.along == ExtrudeAlong::Viewpoint ||
 	       (options_.along == ExtrudeAlong::LabelNormal && !space_.perspective());
 }
@@ -402,7 +403,7 @@ inline void LabelPlanner::requireOutward(const LabelPatch& patch) const
 
 inline PatchVerdict LabelPlanner::check(const LabelPatch& patch, double height) const
 {
-	const bool isStraight = patch.isFlat || staysOnRays();
+	const bool sweeps = !patch.isFlat && !staysOnRays(), isStraight = !sweeps && !space_.wraps();
 	const auto checkAs = [&](const Precision& as) {
 		const std::vector<vcg::Point3d> position =
 			RoundedPositions(sheet_, patch, [&](double x) { return as.round(x); });
@@ -410,7 +411,7 @@ inline PatchVerdict LabelPlanner::check(const LabelPatch& patch, double height) 
 		if (isStraight && (isRepresentable_ || as.isExact()))
 			suspects = FindSuspects(space_, sheet_, layer_, patch, position, height, snap_);
 		const PatchVerdict verdict = CheckPatch(space_, sheet_, patch, position, suspects);
-		return isStraight || verdict.fault != PatchFault::Sound ? verdict : CheckSweptVolume(sheet_, patch, position);
+		return !sweeps || verdict.fault != PatchFault::Sound ? verdict : CheckSweptVolume(sheet_, patch, position);
 	};
 	const PatchVerdict verdict = checkAs(precision_);
 	const bool isAsStored = precision_.fileDigits == 0 && !(precision_.isFloat && precision_.storesDouble);

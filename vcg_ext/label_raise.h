@@ -150,7 +150,7 @@ inline LabelPatch RaiseLabel(const LabelSpace& space, const Sheet& sheet, const 
 				throw Error(ErrorCode::BehindCamera, "the label would rise to the centre of projection")
 					.atPlace(p.mesh)
 					.measured(height, 0);
-			return p.mesh + space.vectorToMesh(direction * height);
+			return p.mesh + space.vectorToMesh(p.mesh, direction * height);
 		};
 		for (const ContourPiece& piece : cut.pieces) {  // each contour point is the start of one piece
 			top[size_t(piece.from)] = old + int(patch.vertices.size());

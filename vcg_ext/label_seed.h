@@ -57,9 +57,23 @@ inline void HitSeed(const LabelSpace& space, const Sheet& sheet, int triangle, c
 	(t.facing ? hits.facing : hits.back) = triangle;
 }
 
+/// Whether a triangle that can't be unrolled crosses the axis, or the cut opposite to the label, at the height of p.
+inline bool IsBesideTorn(const LabelSpace& space, const Sheet& sheet, const vcg::Point2d& p)
+{
+	PlaneBox at;
+	at.add(p);
+	const double height = space.unrolledBox(at).low[1];
+	return std::any_of(sheet.straddling.begin(), sheet.straddling.end(), [&](const StraddlingTriangle& t) {
+		const auto z = [&](size_t k) { return space.unrolled(t.mesh[k])[1]; };
+		const auto [low, high] = std::minmax({z(0), z(1), z(2)});
+		return low <= height && height <= high;
+	});
+}
+
 /// Whether the ray through p meets a triangle that is left out because it reaches behind the centre of projection.
 inline bool IsOnStraddling(const LabelSpace& space, const Sheet& sheet, const vcg::Point2d& p)
 {
+	if (space.wraps()) return IsBesideTorn(space, sheet, p);
 	const vcg::Point3d c = space.center(), ray = vcg::Point3d(p[0], p[1], 0) - c;
 	for (const StraddlingTriangle& t : sheet.straddling) {
 		const auto& q = t.label;

@@ -107,7 +107,7 @@ inline void RequireOwnPlaces(const Sheet& sheet, const LabelPatch& patch)
 inline bool KeepsOrientation(const LabelSpace& space, const Sheet& sheet, const PatchFace& f, const Corners& c)
 {
 	const SheetTriangle& birth = sheet.triangles[size_t(f.parent)];
-	if (f.kind == FaceKind::Outside && birth.facing) {
+	if (f.kind == FaceKind::Outside && birth.facing && !space.wraps()) {
 		std::array<vcg::Point2d, 3> p;
 		for (size_t k = 0; k < 3; ++k) p[k] = space.project(space.toLabel(c[k]));
 		return Orient2d(p[0], p[1], p[2]) > 0;

@@ -63,7 +63,8 @@ inline ErrorCode CodeOfEdge(int twin)
 	                                  : ErrorCode::Silhouette;
 }
 
-/// A triangle that reaches behind the centre of projection: it can't be seen whole, but it can be met.
+/// A triangle that reaches behind the centre of projection, or one that the axis of a wrapped label or the cut opposite to it goes
+/// through: it can't be seen whole, but it can be met.
 struct StraddlingTriangle {
 	std::array<vcg::Point3d, 3> mesh, label;  ///< corners in mesh coordinates and in label space
 	std::array<int, 3> vertex;                ///< indices in the mesh
@@ -110,11 +111,19 @@ inline std::uint8_t OutCodeOf(const PlaneBox& box, const vcg::Point2d& p)
 	                    Above * (p[1] > box.high[1]));
 }
 
-/// Where a finite point of label space is seen.
+/// Where a finite point of label space is seen, in perspective.
 inline std::uint8_t OutCodeOf(const LabelSpace& space, const PlaneBox& box, const vcg::Point3d& q)
 {
 	if (!space.isInFront(q)) return Unusable | BehindCamera;
 	return OutCodeOf(box, space.project(q));
+}
+
+/// Where a finite point is seen when it is unrolled: one on the axis has no place on the way round it, but one along it.
+/// @param[in] unrolled, box  along the way round and along the axis
+inline std::uint8_t OutCodeOfUnrolled(const LabelSpace& space, const PlaneBox& box, const vcg::Point3d& unrolled)
+{
+	const std::uint8_t code = OutCodeOf(box, {unrolled[0], unrolled[1]});
+	return space.isInFront(unrolled) ? code : std::uint8_t((code & (Below | Above)) | Unusable | BehindCamera);
 }
 
 /// Pair the half-edges of the candidates: two that run against each other are twins, one alone is a border, the rest is
@@ -189,27 +198,32 @@ inline void LinkTriangles(Sheet& sheet)
 using CodeBlock = std::uint64_t;
 constexpr size_t kCodeBlock = sizeof(CodeBlock);
 
-/// One pass over the vertices: where each is seen.
+/// One pass over the vertices: where each is seen. Of a wrapped label it is asked along the way round and along the axis: there, what
+/// lies between the corners of a triangle is between their codes, too, though unrolling bends it.
 /// @return #V codes, and Unusable up to a whole block
 template <class MeshType>
 std::vector<std::uint8_t> CodeVertices(const MeshType& m, const LabelSpace& space, const PlaneBox& box)
 {
 	std::vector<std::uint8_t> code((m.vert.size() + kCodeBlock - 1) / kCodeBlock * kCodeBlock, Unusable);
-	const auto pass = [&](auto isPerspective, size_t first, size_t last) {
+	enum class View { Parallel, Perspective, Wrapped };
+	const auto pass = [&](auto view, size_t first, size_t last) {
 		const LabelSpace here = space;  // copies that nothing else can change stay in registers
-		const PlaneBox window = box;
+		const PlaneBox window = view == View::Wrapped ? space.unrolledBox(box) : box;
 		const auto* const vertex = m.vert.data();
 		std::uint8_t* const to = code.data();
 		for (size_t v = first; v < last; ++v) {
 			if (vertex[v].IsD()) continue;
-			const vcg::Point3d q = here.toLabel(PointOf(vertex[v]));
+			const vcg::Point3d p = PointOf(vertex[v]), q = view == View::Wrapped ? here.unrolled(p) : here.inFrame(p);
 			if (!std::isfinite(q[0] + q[1])) continue;  // no part of q is finite where a coordinate is not
-			if constexpr (isPerspective) to[v] = OutCodeOf(here, window, q);
+			if constexpr (view == View::Perspective) to[v] = OutCodeOf(here, window, q);
+			else if constexpr (view == View::Wrapped) to[v] = OutCodeOfUnrolled(here, window, q);
 			else to[v] = OutCodeOf(window, {q[0], q[1]});
 		}
 	};
 	EachChunk(m.vert.size(), ChunkCount(m.vert.size()), [&](size_t, size_t first, size_t last) {
-		space.perspective() ? pass(std::true_type(), first, last) : pass(std::false_type(), first, last);
+		if (space.wraps()) pass(std::integral_constant<View, View::Wrapped>(), first, last);
+		else if (space.perspective()) pass(std::integral_constant<View, View::Perspective>(), first, last);
+		else pass(std::integral_constant<View, View::Parallel>(), first, last);
 	});
 	return code;
 }
@@ -238,6 +252,30 @@ std::array<int, 3> CornersOfFace(const MeshType& m, const LabelSpace& space, int
 	return {index(0), index(space.mirrors() ? 2 : 1), index(space.mirrors() ? 1 : 2)};
 }
 
+/// Where a triangle lies on the way round the axis.
+enum class Wrapping {
+	Whole,   ///< in one piece, as its unrolled corners have it
+	Beyond,  ///< over the cut opposite to the label, and beside the label
+	Torn     ///< the axis goes through it, or it lies over the cut and reaches to the label
+};
+
+/// @param[in] v  mesh indices of its corners, all off the axis
+/// @pre space.wraps()
+template <class MeshType>
+Wrapping WrappingOf(const MeshType& m, const LabelSpace& space, const PlaneBox& unrolledBox, const std::array<int, 3>& v)
+{
+	const double all = space.circumference();
+	std::array<double, 3> at;
+	for (size_t k = 0; k < 3; ++k) at[k] = space.unrolled(PointOf(m.vert[size_t(v[k])]))[0];
+	std::sort(at.begin(), at.end());
+	if (at[2] - at[0] < all / 2) return Wrapping::Whole;
+	// the widest gap between two corners is where it is not; it must be more than half of the way
+	const double first = at[1] - at[0], second = at[2] - at[1];
+	if (std::max(first, second) <= all / 2) return Wrapping::Torn;
+	const double before = first > second ? at[0] : at[1], after = first > second ? at[1] : at[2];
+	return before < unrolledBox.low[0] && after > unrolledBox.high[0] ? Wrapping::Beyond : Wrapping::Torn;
+}
+
 /// Depth and facing of a triangle.
 template <class MeshType>
 FoundTriangle SeeTriangle(const MeshType& m, const LabelSpace& space, int face, double& farthest)
@@ -259,10 +297,11 @@ FoundTriangle SeeTriangle(const MeshType& m, const LabelSpace& space, int face, 
 
 /// One pass over some of the faces: those that may meet the box.
 template <class MeshType>
-FoundTriangles FindTriangles(const MeshType& m, const LabelSpace& space, const std::vector<std::uint8_t>& codes,
-                             size_t begin, size_t end)
+FoundTriangles FindTriangles(const MeshType& m, const LabelSpace& space, const PlaneBox& box,
+                             const std::vector<std::uint8_t>& codes, size_t begin, size_t end)
 {
 	FoundTriangles found;
+	const PlaneBox unrolledBox = space.wraps() ? space.unrolledBox(box) : box;
 	const auto isFinite = [](std::uint8_t x) { return !(x & Unusable) || (x & BehindCamera); };
 	const auto* const first = m.vert.data();
 	const std::uint8_t* const code = codes.data();
@@ -278,10 +317,17 @@ FoundTriangles FindTriangles(const MeshType& m, const LabelSpace& space, const s
 		}
 		found.isEmpty = found.isEmpty && !(isFinite(a) && isFinite(b) && isFinite(c));
 		if ((a | b | c) & Unusable) {
-			if (((a | b | c) & BehindCamera) && !(a & b & c & BehindCamera)) found.straddling.push_back(int(f));
+			const bool isMet = space.wraps() || !(a & b & c & BehindCamera);  // what is on the axis may be met from all sides
+			if (((a | b | c) & BehindCamera) && isMet && isFinite(a) && isFinite(b) && isFinite(c))
+				found.straddling.push_back(int(f));
 			continue;
 		}
 		if (i == j || j == k || k == i) continue;  // a line: its edges pair with each other
+		if (space.wraps()) {
+			const Wrapping wrapping = WrappingOf(m, space, unrolledBox, {int(i), int(j), int(k)});
+			if (wrapping == Wrapping::Torn) found.straddling.push_back(int(f));
+			if (wrapping != Wrapping::Whole) continue;
+		}
 		const FoundTriangle seen = SeeTriangle(m, space, int(f), found.farthest);
 		if (std::isfinite(seen.nearest)) found.triangles.push_back(seen);
 	}
@@ -297,7 +343,7 @@ void CollectTriangles(const MeshType& m, const LabelSpace& space, double depth, 
 	constexpr double infinity = std::numeric_limits<double>::infinity();
 	std::vector<FoundTriangles> found(ChunkCount(m.face.size()));
 	EachChunk(m.face.size(), found.size(), [&](size_t chunk, size_t first, size_t last) {
-		found[chunk] = FindTriangles(m, space, code, first, last);
+		found[chunk] = FindTriangles(m, space, sheet.box, code, first, last);
 	});
 	double farthest = infinity;
 	for (const FoundTriangles& part : found) farthest = std::min(farthest, part.farthest);

@@ -82,6 +82,26 @@ inline PlaneBox CheckedBox(const Outline& outline)
 	return box;
 }
 
+/// The middle of an outline; of one that CheckedBox refuses, anything.
+inline vcg::Point2d MiddleOf(const Outline& outline)
+{
+	PlaneBox box;
+	for (const Contour& c : outline.contours)
+		for (const vcg::Point2d& p : c.points) box.add(p);
+	const vcg::Point2d middle = (box.low + box.high) / 2;
+	return std::isfinite(middle[0] + middle[1]) ? middle : vcg::Point2d(0, 0);
+}
+
+/// A wrapped label must leave room for the cut opposite to it.
+/// @throws Error{TooLong}
+inline void RequireWayRound(const LabelSpace& space, const PlaneBox& box)
+{
+	if (!space.wraps()) return;
+	const double length = space.unrolledBox(box).width();
+	if (!(length < space.circumference()))
+		throw Error(ErrorCode::TooLong, "longer than the way round the axis").measured(length, space.circumference());
+}
+
 /// The volume between two sets of faces with the same border, about one of their points.
 inline double VolumeChange(const Sheet& sheet, const LabelPatch& patch, bool mirrors)
 {
@@ -156,8 +176,9 @@ PlannedLabel PlanInBox(const MeshType& m, const LabelSpace& space, const Outline
 	PlannedLabel p;
 	p.survivesFloat32 = precision.isFloat;
 	for (;;) {
-		const double depth =
-			seesAll ? std::numeric_limits<double>::infinity() : std::abs(options.height) + 2 * box.room;
+		RequireWayRound(space, box.plane);
+		const bool isDeep = seesAll || space.wraps();  // where lines are bent, corners don't tell how deep a triangle is
+		const double depth = isDeep ? std::numeric_limits<double>::infinity() : std::abs(options.height) + 2 * box.room;
 		p.sheet = CollectSheet(m, space, box.plane, depth);
 		const double most = LabelPlanner(space, p.sheet, precision, options).worstResolution();
 		if (!(most > box.room)) break;
@@ -228,24 +249,26 @@ PlaneBox ReachAtLimit(const MeshType& m, const LabelSpace& space, const Outline&
 	}
 }
 
-/// Plan on candidates that hold all that the label may meet: where a wide-angle view sees the raised letters beside the flat ones,
-/// the candidates are collected once more; so are they when a refusal says how far the letters may rise, and that is beside them.
+/// Plan on candidates that hold all that the label may meet: where a wide-angle view sees the raised letters beside the flat ones, or
+/// letters on a coarse cylinder lie beside where its corners unroll to, the candidates are collected once more; so are they when a
+/// refusal says how far the letters may rise, and that is beside them.
 template <class MeshType>
 PlannedLabel PlanOnMesh(const MeshType& m, const LabelSpace& space, const Outline& outline, const LabelOptions& options)
 {
 	constexpr double margin = 1e-3;  // of the box: room for shifts and rounding
 	PlanBox box{CheckedBox(outline)};
-	const bool straightUp = options.along == ExtrudeAlong::Viewpoint, staysInSight = straightUp || !space.perspective();
+	const bool straightUp = options.along == ExtrudeAlong::Viewpoint;
+	const bool staysInSight = (straightUp || !space.perspective()) && !space.wraps();
 	box.grow((box.plane.width() + box.plane.height()) * margin);
 	if (!straightUp) box.plane.grow(std::abs(options.height));
+	if (staysInSight) return PlanInBox(m, space, outline, box, options);
 	for (;;) {
 		PlaneBox reach;
 		try {
 			PlannedLabel p = PlanInBox(m, space, outline, box, options);
 			reach = ReachOf(space, p.plan.patch);
-			if (staysInSight || box.plane.holds(reach)) return p;
+			if (box.plane.holds(reach)) return p;
 		} catch (const Error& e) {
-			if (staysInSight) throw;
 			reach = ReachAtLimit(m, space, outline, box, options, e);
 			if (box.plane.holds(reach)) throw;
 		}
@@ -260,7 +283,7 @@ LabelResult LabelMeshOrThrow(MeshType& m, const Outline& outline, const LabelFra
 	if (m.vn == 0 || m.fn == 0) throw Error(ErrorCode::EmptyMesh, "no faces");
 	RequireCountable(m.vert.size(), m.face.size());
 	if (!std::isfinite(options.height)) throw Error(ErrorCode::BadHeight, "height is not finite");
-	const LabelSpace space(frame);
+	const LabelSpace space(frame, MiddleOf(outline));
 	PlannedLabel planned;
 	LabelOptions forwards = options;  // what is tried again does not set the progress back
 	int furthest = 0;

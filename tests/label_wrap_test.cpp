@@ -1,0 +1,279 @@
+// Labels wrapped round an axis: where their points come to, what they can't do, and that what comes out is a mesh.
+
+#include "label_check.h"
+#include "refusal_case.h"
+
+namespace {
+
+using namespace refusal_case;
+using test_mesh::Shape;
+
+constexpr double radius = 10;
+
+/// From the front (+z) at a cylinder round y.
+LabelFrame Round(double wrapRadius = radius)
+{
+	LabelFrame f;
+	f.origin = {0, 0, std::abs(wrapRadius)};
+	f.wrapRadius = wrapRadius;
+	return f;
+}
+
+/// On the inside of a pipe round y, seen from its axis.
+LabelFrame Inside()
+{
+	LabelFrame f;
+	f.origin = {0, 0, -radius};
+	f.wrapRadius = -radius;
+	return f;
+}
+
+/// A pipe round y.
+Shape Pipe(double inner, double outer, double length, int sides, int rings)
+{
+	Shape s;
+	for (const double r : {outer, inner})
+		for (int j = 0; j <= rings; ++j)
+			for (int i = 0; i < sides; ++i) {
+				const double a = 2 * M_PI * i / sides;
+				s.add({r * std::sin(a), length * (double(j) / rings - 0.5), r * std::cos(a)});
+			}
+	const int in = (rings + 1) * sides;
+	const auto at = [&](int i, int j) { return j * sides + i % sides; };
+	for (int i = 0; i < sides; ++i) {
+		for (int j = 0; j < rings; ++j) {
+			s.quad(at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1));
+			s.quad(in + at(i + 1, j), in + at(i, j), in + at(i, j + 1), in + at(i + 1, j + 1));
+		}
+		s.quad(at(i, 0), in + at(i, 0), in + at(i + 1, 0), at(i + 1, 0));
+		s.quad(in + at(i, rings), at(i, rings), at(i + 1, rings), in + at(i + 1, rings));
+	}
+	return s;
+}
+
+/// Three letters, and again, all the way round but for a gap.
+Outline AllRound()
+{
+	Outline all;
+	for (int i = -1; i <= 1; ++i)
+		for (Contour c : Moved(ThreeLetters(), 1, 19.5 * i, 0).contours) {
+			c.part += 4 * (i + 1);
+			c.letter += 4 * (i + 1);
+			all.contours.push_back(c);
+		}
+	all.partCount = 12;
+	return all;
+}
+
+LabelOptions Raised(double height, ExtrudeAlong along = ExtrudeAlong::Viewpoint)
+{
+	LabelOptions options;
+	options.height = height;
+	options.along = along;
+	return options;
+}
+
+TEST(LabelWrap, SpaceThereAndBack)
+{
+	for (const double turn : {0.0, M_PI / 2, 0.7})
+		for (const double wrapRadius : {radius, -radius}) {
+			LabelFrame f = Round(wrapRadius);
+			f.u = {std::cos(turn), std::sin(turn), 0};
+			f.v = {-std::sin(turn), std::cos(turn), 0};
+			const LabelSpace space(f, {3, 1});
+			EXPECT_TRUE(space.wraps());
+			EXPECT_NEAR(space.circumference(), 2 * M_PI * radius, 1e-12);
+			for (const Point3d& p : {Point3d(1, 2, 11), Point3d(-7, 5, 4), Point3d(4, -3, 9), Point3d(0.5, 0, 13)})
+				EXPECT_LT((space.toMesh(space.toLabel(p)) - p).Norm(), 1e-12) << turn << ' ' << wrapRadius;
+			// near the origin it is the frame itself
+			for (const Point3d& p : {Point3d(1, 0, 0), Point3d(0, 1, 0), Point3d(0, 0, 1)}) {
+				const Point3d q = space.toLabel(f.origin + p * 1e-5) * 1e5;
+				EXPECT_LT((q - Point3d(p * f.u, p * f.v, p * f.w)).Norm(), 1e-5);
+				EXPECT_LT((space.vectorToMesh(f.origin, {p * f.u, p * f.v, p * f.w}) - p).Norm(), 1e-12);
+			}
+		}
+}
+
+TEST(LabelWrap, ArcsAreAsLongAsInTheLabel)
+{
+	const LabelSpace space(Round());
+	const double angle = 2.5;
+	const Point3d q = space.toLabel({radius * std::sin(angle), 3, radius * std::cos(angle)});
+	EXPECT_NEAR(q[0], radius * angle, 1e-12);
+	EXPECT_NEAR(q[1], 3, 1e-12);
+	EXPECT_NEAR(q[2], 0, 1e-12);
+	const Point3d out = space.vectorToMesh({radius * std::sin(angle), 3, radius * std::cos(angle)}, {0, 0, 2});
+	EXPECT_LT((out - Point3d(2 * std::sin(angle), 0, 2 * std::cos(angle))).Norm(), 1e-12);
+}
+
+TEST(LabelWrap, AllTheWayRound)
+{
+	const Shape shape = test_mesh::Cylinder(radius, 20, 64, 6);
+	for (const double height : {0.0, 0.5, -0.5, 3.0, -3.0})
+		for (const ExtrudeAlong along :
+		     {ExtrudeAlong::Viewpoint, ExtrudeAlong::LabelNormal, ExtrudeAlong::SurfaceNormal}) {
+			FloatMesh m;
+			test_mesh::Fill(m, shape);
+			LabelResult result;
+			ASSERT_NO_THROW(result = LabelMesh(m, AllRound(), Round(), Raised(height, along))) << height;
+			ExpectSameKind(shape, m);
+			EXPECT_NEAR(result.labelArea, std::abs(Area(AllRound())), 1e-3);
+			EXPECT_NEAR(result.surfaceArea, result.labelArea, 0.01 * result.labelArea);
+			double least = 1e9, most = 0;
+			for (const int f : result.topFaces)
+				for (int k = 0; k < 3; ++k) {
+					const auto& p = m.face[size_t(f)].cP(k);
+					least = std::min(least, std::hypot(double(p[0]), double(p[2])));
+					most = std::max(most, std::hypot(double(p[0]), double(p[2])));
+				}
+			EXPECT_NEAR(most, radius + height, 1e-5);
+			EXPECT_GT(least, radius * std::cos(M_PI / 64) + height - 1e-5);
+		}
+}
+
+// Facets of 60 and of 90 degrees: the corners unroll to elsewhere than the middles of the facets.
+TEST(LabelWrap, RoundANutAndABox)
+{
+	for (const int sides : {4, 6, 12})  // a facet over the cut holds no letters
+		for (const double height : {0.0, 0.4, -0.4}) {
+			const Shape shape = test_mesh::Cylinder(radius, 20, sides, 1);
+			FloatMesh m;
+			test_mesh::Fill(m, shape);
+			ASSERT_NO_THROW(LabelMesh(m, Moved(AllRound(), 0.6, 0, 0), Round(), Raised(height))) << sides;
+			ExpectSameKind(shape, m);
+		}
+}
+
+// A facet over the cut, and letters on it.
+TEST(LabelWrap, OverTheCut)
+{
+	const Shape shape = test_mesh::Cylinder(radius, 20, 3, 1);
+	EXPECT_CODE(Refused(shape, AllRound(), Round()), BehindCamera);
+	EXPECT_CODE(Refused(shape, Letters({Rectangle(-22, -1, 22, 1)}), Round()), BehindCamera);
+	for (const double height : {0.0, 0.4, -0.4}) {
+		FloatMesh m;
+		test_mesh::Fill(m, shape);
+		ASSERT_NO_THROW(LabelMesh(m, Moved(ThreeLetters(), 2, 0, 0), Round(), Raised(height)));
+		ExpectSameKind(shape, m);
+	}
+}
+
+TEST(LabelWrap, AlongTheAxisAndAslant)
+{
+	const Shape shape = test_mesh::Cylinder(radius, 60, 48, 9);
+	for (const double turn : {M_PI / 2, -M_PI / 2, 0.6, M_PI})
+		for (const double height : {0.5, -0.5}) {
+			LabelFrame f = Round();
+			f.u = {std::cos(turn), std::sin(turn), 0};
+			f.v = {-std::sin(turn), std::cos(turn), 0};
+			FloatMesh m;
+			test_mesh::Fill(m, shape);
+			ASSERT_NO_THROW(LabelMesh(m, Moved(ThreeLetters(), 2, 0, 0), f, Raised(height))) << turn;
+			ExpectSameKind(shape, m);
+		}
+}
+
+TEST(LabelWrap, PipeFromOutsideAndFromInside)
+{
+	const Shape shape = Pipe(radius, radius + 1, 20, 50, 5);
+	for (const bool inside : {false, true})
+		for (const double height : {0.0, 0.5, -0.5}) {
+			LabelFrame f = inside ? Inside() : Round(radius + 1);
+			FloatMesh m;
+			test_mesh::Fill(m, shape);
+			ASSERT_NO_THROW(LabelMesh(m, AllRound(), f, Raised(height))) << inside << ' ' << height;
+			ExpectSameKind(shape, m);
+		}
+}
+
+TEST(LabelWrap, SunkThroughTheWall)
+{
+	const Shape shape = Pipe(radius, radius + 1, 20, 50, 5);
+	const Error e = Refused(shape, AllRound(), Round(radius + 1), -1.5);
+	EXPECT_CODE(e, HitsSurface);
+	EXPECT_GT(e.limit, 0.5);
+	EXPECT_LT(e.limit, 1);
+}
+
+// Label normals stay on the same cylinder's radii, so a label that rises inside a pipe to its axis has nowhere to go.
+TEST(LabelWrap, RisesToTheAxis)
+{
+	const Shape shape = Pipe(radius, radius + 1, 20, 50, 5);
+	EXPECT_CODE(Refused(shape, AllRound(), Inside(), radius), BehindCamera);
+	EXPECT_CODE(Refused(test_mesh::Cylinder(radius, 20, 50, 5), AllRound(), Round(), -radius), BehindCamera);
+}
+
+TEST(LabelWrap, LongerThanTheWayRound)
+{
+	const Error e = Refused(test_mesh::Cylinder(radius, 20, 50, 5), Moved(AllRound(), 1.25, 0, 0), Round());
+	EXPECT_CODE(e, TooLong);
+	EXPECT_NEAR(e.limit, 2 * M_PI * radius, 1e-9);
+	EXPECT_GT(e.value, e.limit);
+}
+
+// Anchored at its left end, the label reaches three quarters round to the right: the cut is opposite to its middle.
+TEST(LabelWrap, AnchoredAtItsEnd)
+{
+	const Shape shape = test_mesh::Cylinder(radius, 20, 50, 5);
+	FloatMesh m;
+	test_mesh::Fill(m, shape);
+	ASSERT_NO_THROW(LabelMesh(m, Moved(AllRound(), 1, 27, 0), Round(), Raised(0.5)));
+	ExpectSameKind(shape, m);
+}
+
+// Over the lid of a solid cylinder, whose middle lies on the axis, and over that of one whose lid is open.
+TEST(LabelWrap, OverTheEnd)
+{
+	const Shape shape = test_mesh::Cylinder(radius, 20, 50, 5);
+	EXPECT_CODE(Refused(shape, Moved(AllRound(), 1, 0, 9), Round(), 0.5), OffSurface);
+	EXPECT_CODE(Refused(shape, Letters({Rectangle(-1, 8, 1, 11)}), Round(), 0.5), BehindCamera);
+	const Shape pipe = Pipe(radius, radius + 1, 20, 50, 5);
+	EXPECT_CODE(Refused(pipe, Letters({Rectangle(-1, 8, 1, 11)}), Round(radius + 1), 0.5), Silhouette);
+}
+
+// A plate through the axis, across the letters: it can't be unrolled, but it must not be met.
+TEST(LabelWrap, PlateThroughTheAxis)
+{
+	const Shape pipe = Pipe(radius, radius + 1, 20, 50, 5);
+	const Shape plate = test_mesh::Box(19.5, 2, 2).moved([](const Point3d& p) { return Point3d(p[0], p[1], p[2] + 1); });
+	const Shape both = pipe.joined(plate);
+	FloatMesh m;
+	test_mesh::Fill(m, both);
+	ASSERT_NO_THROW(LabelMesh(m, AllRound(), Round(radius + 1), Raised(-0.5)));
+	ExpectSameKind(both, m);
+	EXPECT_CODE(Refused(both, AllRound(), Inside(), 0.4), Occluded);
+}
+
+TEST(LabelWrap, ALayerThatMirrorsAndScales)
+{
+	const Shape shape = test_mesh::Cylinder(radius, 20, 64, 6);
+	LabelFrame f = Round(2 * radius);
+	f.toWorld.ElementAt(0, 0) = -2;
+	f.toWorld.ElementAt(1, 1) = f.toWorld.ElementAt(2, 2) = 2;
+	Shape inverse = shape;
+	FloatMesh m;
+	test_mesh::Fill(m, inverse);
+	ASSERT_NO_THROW(LabelMesh(m, Moved(AllRound(), 2, 0, 0), f, Raised(1)));
+	ExpectSameKind(shape, m);
+	EXPECT_GT(Volume(test_mesh::ToShape(m)), Volume(shape));
+}
+
+TEST(LabelWrap, BadFrames)
+{
+	const auto refused = [](const std::function<void(LabelFrame&)>& spoil) {
+		LabelFrame f = Round();
+		spoil(f);
+		return Refused(test_mesh::Cylinder(radius, 20, 64, 6), AllRound(), f);
+	};
+	EXPECT_CODE(refused([](LabelFrame& f) { f.wrapRadius = NAN; }), BadFrame);
+	EXPECT_CODE(refused([](LabelFrame& f) { f.wrapRadius = INFINITY; }), BadFrame);
+	EXPECT_CODE(refused([](LabelFrame& f) { f.wrapAxis = {0, 0, 1}; }), BadFrame);
+	EXPECT_CODE(refused([](LabelFrame& f) { f.wrapAxis = {0, 2, 0}; }), BadFrame);
+	EXPECT_CODE(refused([](LabelFrame& f) {
+					f.perspective = true;
+					f.center = {0, 0, 100};
+				}),
+	            BadFrame);
+}
+
+}  // namespace
