@@ -102,7 +102,7 @@ std::string PlaceText(const Error& error, const ErrorContext& context)
 		return letter + " is partly hidden from the viewer by another surface" + where +
 		       ". Look at the place from another side, or move the label.";
 	case ErrorCode::TooLong:
-		return "The label is " + FigureAbove(error.value) + " long with its margins, and the way round the part is " +
+		return letter + where + " is " + FigureAbove(error.value) + " long with its margins, and the way round the part is " +
 		       FigureBelow(error.limit) + ". Make the text smaller (size) or shorter.";
 	case ErrorCode::BehindCamera:
 		if (context.isWrapped && error.value != 0)

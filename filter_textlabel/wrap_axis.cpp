@@ -12,156 +12,166 @@ namespace {
 using vcg::Point3d;
 using vcg::textlabel::LabelFrame;
 
-/// A circle through a cut of the surface.
-struct CutCircle {
-	Point3d axis;    ///< unit
-	Point3d center;  ///< in the plane of the cut
-	double radius = 0;
-	double roughness = 0;  ///< root mean square of how far the cut is from it, in radii
-	double arc = 0;        ///< radians of it that the cut reaches over
+struct Axis {
+	Point3d direction;     ///< unit
+	Point3d point;         ///< on it
+	double radius = 0;     ///< from the place to it
+	double roughness = 0;  ///< root mean square of the sines between the normals and the planes through the axis
+	double arc = 0;        ///< radians round it over which the surface is seen, and its normals turn
 };
 
 Eigen::Vector3d ToEigen(const Point3d& p) { return {p[0], p[1], p[2]}; }
+Point3d FromEigen(const Eigen::Vector3d& p) { return {p[0], p[1], p[2]}; }
 
-/// The directions across which the normals vary least: once about their mean, as on a cone, and once about zero, as on a cylinder of
-/// which a small piece is seen.
-std::array<Point3d, 2> DirectionsAcrossNormals(const SurfacePatch& surface)
-{
-	Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();
-	Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-	double area = 0;
-	for (const auto& t : surface.triangles) {
-		const Eigen::Vector3d n = ToEigen((t[1] - t[0]) ^ (t[2] - t[0]));
-		const double size = n.norm();
-		if (!(size > 0)) continue;
-		moments += n * n.transpose() / size;
-		sum += n;
-		area += size;
+/// The angles of vectors round an axis.
+class Sector {
+public:
+	/// @param[in] middle  the angle 0
+	Sector(const Point3d& axis, const Point3d& middle) : axis_(axis), middle_(middle) {}
+	void add(const Point3d& v)
+	{
+		const Point3d across = v - axis_ * (v * axis_);
+		const double angle = std::atan2((middle_ ^ across) * axis_, middle_ * across);
+		low_ = std::min(low_, angle);
+		high_ = std::max(high_, angle);
 	}
-	std::array<Point3d, 2> directions;
-	for (size_t i = 0; i < 2; ++i) {
-		const Eigen::Matrix3d m = i == 0 ? Eigen::Matrix3d(moments - sum * sum.transpose() / area) : moments;
-		const Eigen::Vector3d least = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(m).eigenvectors().col(0);
-		directions[i] = {least[0], least[1], least[2]};
-	}
-	return directions;
-}
+	/// Radians from the first to the last.
+	double angle() const { return high_ - low_; }
 
-/// Lay a circle through the cut of a surface with the plane across an axis through a place.
-/// Source: I. Kasa, "A circle fitting procedure and its error analysis", IEEE Transactions on Instrumentation and Measurement 25
-/// (1976); differs in: points count by the length of the pieces that they end.
-std::optional<CutCircle> CircleAcross(const SurfacePatch& surface, const Point3d& place, const Point3d& axis)
-{
-	const Point3d across = std::abs(axis[0]) < 0.6 ? Point3d(1, 0, 0) : Point3d(0, 1, 0);
-	const Point3d x = (across ^ axis) / (across ^ axis).Norm(), y = axis ^ x;
-	struct Weighed {
-		Eigen::Vector2d p;
-		double weight;
-	};
-	std::vector<Weighed> points;
-	double size = 0;
-	for (const auto& t : surface.triangles) {
-		Eigen::Vector2d end[2];
-		int ends = 0;
-		for (size_t k = 0; k < 3 && ends < 2; ++k) {
-			const Point3d a = t[k] - place, b = t[(k + 1) % 3] - place;
-			const double za = a * axis, zb = b * axis;
-			if ((za < 0) == (zb < 0)) continue;
-			const Point3d q = a + (b - a) * (za / (za - zb));
-			end[ends++] = {q * x, q * y};
+private:
+	const Point3d axis_, middle_;
+	double low_ = 0, high_ = 0;
+};
+
+/// How the normals move when the surface is turned about lines through a place, and moved: a turn of which they see nothing is one
+/// about the axis. Of a turn a and a move m the normal n at p sees (p x n) a + n m.
+class Turns {
+public:
+	/// @param[in] unit  of length, so that turns and moves weigh alike
+	Turns(const SurfacePatch& surface, const Point3d& place, double unit) : unit_(unit)
+	{
+		Eigen::Matrix3d turns = Eigen::Matrix3d::Zero(), moves = turns;
+		double area = 0;
+		for (const EdgeMiddle& e : surface.edges) {
+			const Eigen::Vector3d n = ToEigen(e.normal), turn = ToEigen((e.point - place) ^ e.normal) / unit;
+			turns += e.area * turn * turn.transpose();
+			moves += e.area * n * n.transpose();
+			mixed_ += e.area * n * turn.transpose();
+			area += e.area;
 		}
-		if (ends < 2) continue;
-		const double length = (end[1] - end[0]).norm();
-		for (const Eigen::Vector2d& p : end) {
-			points.push_back({p, length});
-			size = std::max(size, p.norm());
+		constexpr double free = 1e-8;  // radians squared: a move along which no normal looks costs nothing, and helps nothing
+		const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> costs(moves / area);
+		for (int i = 0; i < 3; ++i) {
+			const Eigen::Vector3d along = costs.eigenvectors().col(i);
+			if (costs.eigenvalues()[i] > free) inverse_ += along * along.transpose() / (costs.eigenvalues()[i] * area);
 		}
+		solver_.compute((turns - mixed_.transpose() * inverse_ * mixed_) / area);
 	}
-	if (!(size > 0)) return std::nullopt;
-	Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
-	Eigen::Vector3d right = Eigen::Vector3d::Zero();
-	double weights = 0;
-	for (Weighed& w : points) {
-		w.p /= size;
-		const Eigen::Vector3d row(w.p[0], w.p[1], 1);
-		normal += w.weight * row * row.transpose();
-		right += w.weight * w.p.squaredNorm() * row;
-		weights += w.weight;
+	/// The direction about which turns are seen least. Where several are as good, as on a ball, the first of those wished for.
+	Eigen::Vector3d direction(std::initializer_list<Eigen::Vector3d> wishes) const
+	{
+		constexpr double nothing = 1e-10, asGood = 1e-4, alike = 4;  // units squared; of the worst; times the best
+		constexpr double enough = 0.5;                               // of a wish that is met
+		const Eigen::Vector3d& cost = solver_.eigenvalues();
+		const double most = std::max({nothing, asGood * cost[2], alike * cost[0]});
+		const int count = 1 + int(cost[1] <= most) + int(cost[2] <= most);
+		for (const Eigen::Vector3d& wish : wishes) {
+			Eigen::Vector3d met = Eigen::Vector3d::Zero();
+			for (int i = 0; i < count; ++i) met += solver_.eigenvectors().col(i).dot(wish) * solver_.eigenvectors().col(i);
+			if (met.norm() > enough) return met.normalized();
+		}
+		return solver_.eigenvectors().col(0);
 	}
-	constexpr double leastBend = 1e-10;  // of the normal equations: below it, a line
-	const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(normal);
-	if (!(solver.eigenvalues()[0] > leastBend * solver.eigenvalues()[2])) return std::nullopt;
-	const Eigen::Vector3d solution = normal.ldlt().solve(right);
-	const Eigen::Vector2d center = solution.head<2>() / 2;
-	const double radius = std::sqrt(solution[2] + center.squaredNorm());
-	if (!std::isfinite(radius) || !(radius > 0)) return std::nullopt;
-	CutCircle circle{axis, place + (x * center[0] + y * center[1]) * size, radius * size};
-	double squares = 0, low = 0, high = 0;
-	const Eigen::Vector2d middle = -center / center.norm();  // the place, seen from the centre
-	for (const Weighed& w : points) {
-		const Eigen::Vector2d d = w.p - center;
-		squares += w.weight * std::pow(d.norm() / radius - 1, 2);
-		const double angle = std::atan2(middle[0] * d[1] - middle[1] * d[0], middle.dot(d));
-		low = std::min(low, angle);
-		high = std::max(high, angle);
+	/// The move that goes with a turn: it brings the turn's axis to where the normals meet.
+	Eigen::Vector3d move(const Eigen::Vector3d& turn) const { return -(inverse_ * (mixed_ * turn)) * unit_; }
+
+private:
+	const double unit_;
+	Eigen::Matrix3d mixed_ = Eigen::Matrix3d::Zero(), inverse_ = mixed_;
+	Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver_;
+};
+
+/// The axis of a direction to which the normals come nearest.
+Axis AxisAlong(const Eigen::Vector3d& direction, const Turns& turns, const SurfacePatch& surface, const LabelFrame& frame)
+{
+	const Eigen::Vector3d center = direction.cross(turns.move(direction));
+	Axis axis{FromEigen(direction), frame.origin + FromEigen(center), center.norm()};
+	double squares = 0, area = 0;
+	Sector places(axis.direction, FromEigen(-center)), normals(axis.direction, frame.w);
+	for (const EdgeMiddle& e : surface.edges) {
+		Point3d across = e.point - axis.point;
+		across -= axis.direction * (across * axis.direction);
+		const double sine = (axis.direction ^ across) * e.normal / across.Norm();
+		squares += e.area * sine * sine;
+		area += e.area;
+		places.add(across);
+		normals.add(e.normal);
 	}
-	circle.roughness = std::sqrt(squares / weights);
-	circle.arc = high - low;
-	return circle;
+	axis.roughness = std::sqrt(squares / area);
+	axis.arc = std::min(places.angle(), normals.angle());
+	return axis;
 }
 
-/// The roundest cut; the earlier direction when it is nearly as good.
-std::optional<CutCircle> RoundestCut(const SurfacePatch& surface, const LabelFrame& frame)
+/// Parts are modelled along the axes of the world, and facets hide where exactly an axis points.
+/// @param[in] frame  at the place
+/// @param[in] unit  of length: about as far as the surface is seen
+std::optional<Axis> AxisOf(const SurfacePatch& surface, const LabelFrame& frame, double unit)
 {
-	constexpr double nearlyAsGood = 1.5, roundings = 1e-5;
-	const std::array<Point3d, 2> found = DirectionsAcrossNormals(surface);
-	std::optional<CutCircle> best;
-	for (const Point3d& axis : {frame.v, frame.u, found[0], found[1]}) {
-		const std::optional<CutCircle> circle = CircleAcross(surface, frame.origin, axis);
-		if (!circle) continue;
-		if (!best || circle->roughness * nearlyAsGood + roundings < best->roughness) best = circle;
+	constexpr double straight = 0.99996, rougher = 1.1, rough = 0.005;  // cosine of half a degree; times; a sine
+	if (surface.edges.empty()) return std::nullopt;
+	const Turns turns(surface, frame.origin, unit);
+	const Eigen::Vector3d direction = turns.direction({ToEigen(frame.v), ToEigen(frame.u)});
+	const Axis axis = AxisAlong(direction, turns, surface, frame);
+	if (!std::isfinite(axis.arc + axis.radius + axis.roughness)) return std::nullopt;
+	for (const Point3d& p : {frame.v, frame.u, Point3d(1, 0, 0), Point3d(0, 1, 0), Point3d(0, 0, 1)}) {
+		if (std::abs(p * axis.direction) < straight) continue;
+		const Axis near = AxisAlong(ToEigen(p), turns, surface, frame);
+		if (near.roughness <= axis.roughness * rougher + rough) return near;
 	}
-	return best;
+	return axis;
 }
 
-/// The frame at the same place, across an axis that passes at `center`.
-LabelFrame FrameRound(const LabelFrame& frame, const Point3d& axis, const Point3d& center)
+/// In squares that grow until enough of the arc is seen, or other things that do not belong to it.
+std::optional<Axis> FindAxis(const LabelFrame& frame, double diagonal, const SurfaceAround& surface)
 {
-	LabelFrame f = frame;
-	Point3d away = frame.origin - center;
-	away -= axis * (away * axis);
-	const double radius = away.Norm();
-	const bool isInside = away * frame.w < 0;
-	f.w = isInside ? -away / radius : away / radius;
-	f.wrapAxis = axis - f.w * (axis * f.w);
-	f.wrapAxis /= f.wrapAxis.Norm();
-	f.wrapRadius = isInside ? -radius : radius;
-	f.perspective = false;
-	const Point3d side = f.wrapAxis ^ f.w;
-	f.v = f.wrapAxis;
-	for (const Point3d& up : {-f.wrapAxis, side, -side})
-		if (up * frame.v > f.v * frame.v + 1e-9) f.v = up;
-	f.u = f.v ^ f.w;
-	return f;
+	constexpr double first = 1.0 / 64, enough = 1.2, least = 0.05;  // of the diagonal; radians
+	constexpr double rougher = 2, rough = 0.05, mostTowards = 0.5;  // times; sines
+	std::optional<Axis> found;
+	for (double halfSide = first * diagonal; halfSide < 2 * diagonal; halfSide *= 2) {
+		const SurfacePatch patch = surface(frame, halfSide);
+		const std::optional<Axis> axis = AxisOf(patch, frame, halfSide);
+		const bool isSeen = axis && axis->arc >= least && std::abs(axis->direction * frame.w) < mostTowards;
+		if (found && isSeen && axis->roughness > rougher * found->roughness + rough) break;
+		if (isSeen) found = axis;
+		if (patch.isWhole || (found && found->arc >= enough)) break;
+	}
+	return found;
 }
 
 }  // namespace
 
 LabelFrame WrappedFrame(const LabelFrame& frame, double diagonal, const SurfaceAround& surface)
 {
-	constexpr double first = 1.0 / 16, enough = 1.2, least = 0.1, roughest = 0.1, largest = 20;  // of the diagonal; radians; radii
+	constexpr double roughest = 0.3, largest = 20, nearest = 1e-3;  // a sine; of the diagonal
 	const Point3d towards = frame.perspective ? frame.center - frame.origin : frame.w;
 	const LabelFrame parallel = vcg::textlabel::FrameFromDirection(frame.origin, towards, frame.v);
-	std::optional<CutCircle> circle;
-	for (double halfSide = first * diagonal; halfSide < 2 * diagonal; halfSide *= 2) {
-		const SurfacePatch patch = surface(parallel, halfSide);
-		if (patch.triangles.empty()) break;
-		circle = RoundestCut(patch, parallel);
-		if ((circle && circle->arc >= enough) || patch.isWhole) break;
-	}
-	if (!circle || circle->arc < least || circle->roughness > roughest || circle->radius > largest * diagonal)
-		throw RequestError(RequestProblem::NoAxis, "wrap");
-	return FrameRound(parallel, circle->axis, circle->center);
+	const std::optional<Axis> axis = FindAxis(parallel, diagonal, surface);
+	const bool isFound = axis && axis->roughness <= roughest && axis->radius >= nearest * diagonal &&
+	                     axis->radius <= largest * diagonal;
+	if (!isFound) throw RequestError(RequestProblem::NoAxis, "wrap");
+	const Point3d away = frame.origin - axis->point;
+	const bool isInside = away * parallel.w < 0;
+	LabelFrame f = parallel;
+	f.w = away / (isInside ? -away.Norm() : away.Norm());
+	f.wrapAxis = axis->direction - f.w * (axis->direction * f.w);
+	f.wrapAxis /= f.wrapAxis.Norm();
+	f.wrapRadius = isInside ? -axis->radius : axis->radius;
+	const Point3d side = f.wrapAxis ^ f.w;
+	f.v = f.wrapAxis;
+	for (const Point3d& up : {-f.wrapAxis, side, -side})
+		if (up * parallel.v > f.v * parallel.v) f.v = up;
+	f.u = f.v ^ f.w;
+	return f;
 }
 
 LabelFrame WrappedFrame(const LabelFrame& frame, double radius)

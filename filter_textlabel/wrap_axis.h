@@ -1,30 +1,36 @@
 #pragma once
 // The axis that a label runs round: found from the surface under it, or given by its distance.
 //
-// A turned part shows its axis twice: the normals of the surface lie across it, and a cut across it is a circle. From the normals of
-// what is seen around the place come some directions, the label's own are others; for each the surface is cut across it at the place,
-// and a circle is laid through the cut. The roundest cut wins, the label's up when it is as good as any. Vertices of a coarse part lie
-// on the circle, wherever its facets are, and so do the points where edges are cut.
+// A turned part shows its axis: every normal of its surface meets it. Of the lines along the normals around a place, the axis is the
+// one that comes nearest to them all. The normals are taken at the middles of edges: there they meet the axis of a coarse part too,
+// a nut with six sides included.
+// Source: H. Pottmann, T. Randrup, "Rotational and helical surface approximation for reverse engineering", Computing 60 (1998).
 
 #include "vcg_ext/label_frame.h"
 #include "vcg_ext/surface_point.h"
 
-#include <array>
 #include <functional>
+#include <utility>
 #include <vector>
 
 namespace textlabel {
 
-/// A piece of surface around a place; world coordinates.
+/// Where an edge has its middle, and which way the surface looks there; world coordinates.
+struct EdgeMiddle {
+	vcg::Point3d point;
+	vcg::Point3d normal;  ///< unit, between those of the two faces
+	double area = 0;      ///< of the two faces
+};
+
+/// A piece of surface around a place.
 struct SurfacePatch {
-	std::vector<std::array<vcg::Point3d, 3>> triangles;  ///< counter-clockwise seen from outside
-	bool isWhole = false;                                ///< a larger one would hold no more
+	std::vector<EdgeMiddle> edges;
+	bool isWhole = false;  ///< a larger one would hold no more
 };
 
 /// The surface that hangs together around the origin of a parallel frame, as far as it faces the viewer and a square reaches.
 /// @param[in] halfSide  world units
-using SurfaceAround =
-	std::function<SurfacePatch(const vcg::textlabel::LabelFrame& frame, double halfSide)>;
+using SurfaceAround = std::function<SurfacePatch(const vcg::textlabel::LabelFrame& frame, double halfSide)>;
 
 /// Wrap a label round the axis that the surface has there.
 /// @param[in] frame  where it would be flat; its origin is on the surface
@@ -43,53 +49,78 @@ SurfacePatch CollectSurface(const MeshType& m, const vcg::textlabel::LabelFrame&
 
 // ---------------------------------------------------------------------------------------------------------------------------
 
+namespace detail {
+
+/// The candidates of a square, and which of them face the viewer.
+struct SeenSurface {
+	vcg::textlabel::Sheet sheet;
+	std::vector<vcg::Point3d> normal;  ///< #triangles: label space, as long as twice the area
+
+	template <class MeshType>
+	SeenSurface(const MeshType& m, const vcg::textlabel::LabelSpace& space, double halfSide)
+	{
+		vcg::textlabel::PlaneBox box;
+		box.add({-halfSide, -halfSide});
+		box.add({halfSide, halfSide});
+		sheet = vcg::textlabel::CollectSheet(m, space, box);
+		for (const auto& t : sheet.triangles) {
+			const vcg::Point3d& a = at(t.vertex[0]);
+			normal.push_back((at(t.vertex[1]) - a) ^ (at(t.vertex[2]) - a));
+		}
+	}
+	const vcg::Point3d& at(int vertex) const { return sheet.vertices[size_t(vertex)].label; }
+	/// What is steeper is an end, or a step.
+	bool faces(int t) const
+	{
+		constexpr double leastCosine = 0.2;
+		return sheet.triangles[size_t(t)].facing && normal[size_t(t)][2] > leastCosine * normal[size_t(t)].Norm();
+	}
+	/// The triangle that holds the origin, or -1.
+	int start(const vcg::textlabel::LabelSpace& space) const
+	{
+		constexpr double beside = 1e-6;  // of the triangle
+		int nearest = -1;
+		double least = std::numeric_limits<double>::infinity();
+		for (int t = 0; t < int(sheet.triangles.size()); ++t) {
+			if (!faces(t)) continue;
+			const vcg::Point3d weight = vcg::textlabel::SpaceWeights(space, sheet, t, {0, 0});
+			const double depth = std::abs(vcg::textlabel::MixCorners(sheet, t, weight)[2]);
+			if (!(std::min({weight[0], weight[1], weight[2]}) >= -beside) || !(depth < least)) continue;
+			least = depth;
+			nearest = t;
+		}
+		return nearest;
+	}
+};
+
+}  // namespace detail
+
 template <class MeshType>
 SurfacePatch CollectSurface(const MeshType& m, const vcg::textlabel::LabelFrame& frame, double halfSide)
 {
-	constexpr double leastCosine = 0.2;  // what is steeper is an end, or a step
 	const vcg::textlabel::LabelSpace space(frame);
-	vcg::textlabel::PlaneBox box;
-	box.add({-halfSide, -halfSide});
-	box.add({halfSide, halfSide});
-	const vcg::textlabel::Sheet sheet = vcg::textlabel::CollectSheet(m, space, box);
-	const auto corner = [&](int t, size_t k) -> const vcg::Point3d& {
-		return sheet.vertices[size_t(sheet.triangles[size_t(t)].vertex[k])].label;
-	};
-	const auto faces = [&](int t) {
-		const vcg::Point3d n = (corner(t, 1) - corner(t, 0)) ^ (corner(t, 2) - corner(t, 0));
-		return sheet.triangles[size_t(t)].facing && n[2] > leastCosine * n.Norm();
-	};
-	int start = -1;  // the one that holds the origin
-	double nearest = std::numeric_limits<double>::infinity();
-	for (int t = 0; t < int(sheet.triangles.size()); ++t) {
-		if (!faces(t)) continue;
-		const vcg::Point3d weight = vcg::textlabel::SpaceWeights(space, sheet, t, {0, 0});
-		const double outside = std::max(0.0, -std::min({weight[0], weight[1], weight[2]}));
-		const double far = std::abs(vcg::textlabel::MixCorners(sheet, t, weight)[2]) + outside * halfSide;
-		if (outside > 1e-6 || !(far < nearest)) continue;
-		nearest = far;
-		start = t;
-	}
+	const detail::SeenSurface seen(m, space, halfSide);
+	const auto& sheet = seen.sheet;
 	SurfacePatch patch;
-	if (start < 0) return patch;
-	patch.isWhole = true;
-	std::vector<char> seen(sheet.triangles.size(), 0);
-	std::vector<int> stack{start};
-	seen[size_t(start)] = 1;
-	while (!stack.empty()) {
-		const int t = stack.back();
-		stack.pop_back();
-		patch.triangles.emplace_back();
-		for (size_t k = 0; k < 3; ++k) {
-			patch.triangles.back()[k] = frame.origin + frame.u * corner(t, k)[0] + frame.v * corner(t, k)[1] + frame.w * corner(t, k)[2];
-			const int h = 3 * t + int(k), across = sheet.facingAcross(h);
-			const bool leaves = sheet.twin[size_t(h)] == vcg::textlabel::BorderEdge;  // of the square, or of the part
-			patch.isWhole = patch.isWhole && !leaves;
-			if (across < 0 || seen[size_t(across)] || !faces(across)) continue;
-			seen[size_t(across)] = 1;
-			stack.push_back(across);
+	std::vector<int> found;
+	std::vector<char> isFound(sheet.triangles.size(), 0);
+	const auto visit = [&](int t) {
+		if (!std::exchange(isFound[size_t(t)], 1)) found.push_back(t);
+	};
+	if (const int start = seen.start(space); start >= 0) visit(start);
+	patch.isWhole = !found.empty();
+	for (size_t i = 0; i < found.size(); ++i)
+		for (int h = 3 * found[i]; h < 3 * found[i] + 3; ++h) {
+			const int twin = sheet.twin[size_t(h)];
+			if (twin == vcg::textlabel::BorderEdge) patch.isWhole = false;  // of the square, or of the part
+			if (twin < 0 || !seen.faces(twin / 3)) continue;
+			visit(twin / 3);
+			if (twin < h) continue;
+			const vcg::Point3d &p = seen.normal[size_t(h / 3)], &q = seen.normal[size_t(twin / 3)];
+			const vcg::Point3d middle = (seen.at(sheet.from(h)) + seen.at(sheet.to(h))) / 2, n = p / p.Norm() + q / q.Norm();
+			const auto toWorld = [&](const vcg::Point3d& d) { return frame.u * d[0] + frame.v * d[1] + frame.w * d[2]; };
+			patch.edges.push_back({frame.origin + toWorld(middle), toWorld(n / n.Norm()), (p.Norm() + q.Norm()) / 2});
 		}
-	}
 	return patch;
 }
 

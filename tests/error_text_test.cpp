@@ -55,6 +55,15 @@ TEST(ErrorText, EveryCodeOfTheLibraryHasItsOwn)
 		ExpectReadable(text);
 		EXPECT_TRUE(texts.insert(text).second) << "twice: " << text;
 	}
+	ErrorContext wrapped;
+	wrapped.isWrapped = true;
+	for (const Error& error : {Error(ErrorCode::BehindCamera), Error(ErrorCode::BehindCamera).measured(-2, 0),
+	                           Error(ErrorCode::BehindCamera).measured(2, 0), Error(ErrorCode::Silhouette)}) {
+		const std::string text = ErrorText(error, wrapped);
+		ExpectReadable(text);
+		EXPECT_EQ(text.find("camera"), std::string::npos) << text;
+		EXPECT_EQ(text.find("viewpoint"), std::string::npos) << text;
+	}
 }
 
 TEST(ErrorText, SaysWhichLetterAndWhere)

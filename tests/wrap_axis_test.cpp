@@ -1,0 +1,260 @@
+// The axis that a wrapped label runs round: on turned parts whose axis is known, seen from anywhere, and where there is none.
+
+#include "filter_textlabel/label_service.h"
+#include "filter_textlabel/wrap_axis.h"
+#include "test_mesh.h"
+
+#include <gtest/gtest.h>
+
+using namespace textlabel;
+using test_mesh::Shape;
+using vcg::Point3d;
+using vcg::textlabel::LabelFrame;
+
+namespace {
+
+/// Around y: the radius at each height, in steps of one; open at both ends.
+Shape Turned(const std::vector<double>& radii, int sides, double step = 1)
+{
+	const int rows = int(radii.size()) - 1;
+	Shape s = test_mesh::Sheet(sides, rows, [&](int i, int j) {
+		const double a = 2 * M_PI * i / sides, r = radii[size_t(j)];
+		return Point3d(r * std::sin(a), step * (j - rows / 2.0), r * std::cos(a));
+	});
+	for (auto& f : s.faces)  // the last column is the first
+		for (int& v : f) v -= v % (sides + 1) == sides ? sides : 0;
+	return s;
+}
+
+/// Looking at a point from a direction, the head held as `up` says.
+LabelFrame At(const Point3d& place, const Point3d& towards, const Point3d& up = {0, 1, 0})
+{
+	return vcg::textlabel::FrameFromDirection(place, towards, up);
+}
+
+LabelFrame WrappedOn(const Shape& shape, const LabelFrame& frame)
+{
+	test_mesh::DoubleMesh m;
+	test_mesh::Fill(m, shape);
+	vcg::Box3d box;
+	for (const Point3d& p : shape.points) box.Add(p);
+	const SurfaceAround surface = [&](const LabelFrame& f, double halfSide) { return CollectSurface(m, f, halfSide); };
+	return WrappedFrame(frame, box.Diag(), surface);
+}
+
+void ExpectAxis(const LabelFrame& f, const Point3d& axis, double radius, double tolerance = 1e-6)
+{
+	EXPECT_NEAR(std::abs(f.wrapAxis * axis), 1, tolerance);
+	EXPECT_NEAR(f.wrapRadius, radius, tolerance * std::abs(radius));
+	EXPECT_NEAR(f.w * f.wrapAxis, 0, 1e-12);
+	EXPECT_NEAR((f.u ^ f.v) * f.w, 1, 1e-12);
+	EXPECT_FALSE(f.perspective);
+}
+
+void ExpectUp(const LabelFrame& f, const Point3d& up) { EXPECT_GT(f.v * up, 1 - 1e-6) << f.v[0] << ' ' << f.v[1]; }
+
+bool HasNoAxis(const Shape& shape, const LabelFrame& frame)
+{
+	try {
+		WrappedOn(shape, frame);
+	} catch (const RequestError& error) {
+		return error.problem == RequestProblem::NoAxis;
+	}
+	return false;
+}
+
+TEST(WrapAxis, CylindersFromCoarseToFine)
+{
+	for (const int sides : {6, 8, 12, 64, 500})
+		for (const double turn : {0.0, 0.3, 1.0}) {  // in the middle of a facet and beside
+			const double a = turn * M_PI / sides, facet = std::cos(M_PI / sides);
+			const double r = 10 * facet / std::cos(std::remainder(a - M_PI / sides, 2 * M_PI / sides));
+			const LabelFrame f =
+				WrappedOn(Turned({10, 10}, sides, 20), At({r * std::sin(a), 3, r * std::cos(a)}, {std::sin(a), 0, std::cos(a)}));
+			ExpectAxis(f, {0, 1, 0}, r);
+			ExpectUp(f, {0, 1, 0});
+		}
+}
+
+// A view by hand is never straight: the label is.
+TEST(WrapAxis, SeenAslant)
+{
+	const Shape shape = Turned({10, 10, 10, 10, 10}, 48, 8);
+	const Point3d place(0, 0, 10);
+	for (const Point3d& towards : {Point3d(0.2, 0.1, 1), Point3d(-0.3, 0.3, 1), Point3d(0, -0.4, 1)})
+		for (const Point3d& up : {Point3d(0.1, 1, 0), Point3d(-0.3, 1, 0.2)}) {
+			const LabelFrame f = WrappedOn(shape, At(place, towards, up));
+			ExpectAxis(f, {0, 1, 0}, 10);
+			ExpectUp(f, {0, 1, 0});
+			EXPECT_NEAR(f.w[2], 1, 1e-9);
+			ExpectUp(WrappedOn(shape, At(place, towards, -up)), {0, -1, 0});
+		}
+	ExpectUp(WrappedOn(shape, At(place, {0.2, 0.1, 1}, {1, 0.3, 0})), {1, 0, 0});  // read along the axis
+}
+
+TEST(WrapAxis, InPerspective)
+{
+	LabelFrame frame = At({0, 0, 10}, {0.1, 0.1, 1});
+	frame.perspective = true;
+	frame.center = {4, 3, 90};
+	ExpectAxis(WrappedOn(Turned({10, 10, 10, 10, 10}, 48, 8), frame), {0, 1, 0}, 10);
+}
+
+TEST(WrapAxis, InsideAPipe)
+{
+	Shape pipe = Turned({10, 10, 10, 10}, 48, 8);
+	for (auto& f : pipe.faces) std::swap(f[1], f[2]);  // its inside is what is seen
+	const LabelFrame f = WrappedOn(pipe, At({0, 0, -10}, {0.1, 0.2, 1}));
+	ExpectAxis(f, {0, 1, 0}, -10);
+	EXPECT_NEAR(f.w[2], 1, 1e-9);
+}
+
+TEST(WrapAxis, ConesBarrelsAndRings)
+{
+	std::vector<double> cone, barrel, ring;
+	for (int i = 0; i <= 20; ++i) {
+		cone.push_back(6 + 0.4 * i);
+		barrel.push_back(10 - 0.02 * (i - 10) * (i - 10));
+		ring.push_back(10 + std::sqrt(16 - 0.14 * (i - 10) * (i - 10)));
+	}
+	ExpectAxis(WrappedOn(Turned(cone, 72), At({0, 0, 10}, {0, -0.4, 1})), {0, 1, 0}, 10, 2e-3);
+	ExpectAxis(WrappedOn(Turned(barrel, 72), At({0, 0, 10}, {0, 0.1, 1})), {0, 1, 0}, 10, 2e-2);
+	ExpectAxis(WrappedOn(Turned(ring, 72, 0.35), At({0, 0, 14}, {0, 0, 1})), {0, 1, 0}, 14, 2e-3);
+}
+
+// A narrow rim between chamfers, whose normals tell of the same axis.
+TEST(WrapAxis, RimWithChamfers)
+{
+	const Shape rim = Turned({20, 35, 36, 36, 36, 35, 20}, 72, 1);
+	for (const Point3d& up : {Point3d(0, 1, 0), Point3d(1, 0, 0)})
+		ExpectAxis(WrappedOn(rim, At({0, 0, 36}, {0, 0, 1}, up)), {0, 1, 0}, 36);
+}
+
+// A scan: its normals tell nothing, its points do.
+TEST(WrapAxis, Noisy)
+{
+	int i = 0;
+	const Shape scan = Turned(std::vector<double>(81, 10.0), 240, 0.25).moved([&](const Point3d& p) {
+		++i;
+		return p * (1 + 0.003 * std::sin(0.37 * i * i));
+	});
+	for (const Point3d& towards : {Point3d(0, 0, 1), Point3d(0.3, 0, 1)})
+		ExpectAxis(WrappedOn(scan, At({0, 0, 10}, towards)), {0, 1, 0}, 10, 3e-2);
+}
+
+TEST(WrapAxis, OnASphereTheLabelsUp)
+{
+	const LabelFrame f = WrappedOn(test_mesh::Sphere(10, 48, 24).moved([](const Point3d& p) { return Point3d(p[0], p[2], -p[1]); }),
+	                               At({0, 0, 10}, {0, 0, 1}));
+	ExpectAxis(f, {0, 1, 0}, 10, 1e-2);
+	ExpectUp(f, {0, 1, 0});
+}
+
+TEST(WrapAxis, NoneOnWhatIsFlat)
+{
+	EXPECT_TRUE(HasNoAxis(test_mesh::Slab(30, 20, 4, 15, 10), At({0.1, 0.2, 0}, {0, 0, 1})));
+	EXPECT_TRUE(HasNoAxis(test_mesh::Box(10, 20, 30), At({0.1, 0.2, 0}, {0, 0, 1})));
+	EXPECT_TRUE(HasNoAxis(test_mesh::Slab(30, 20, 4, 15, 10).moved([](Point3d p) {
+		p[2] += 1e-6 * std::sin(7 * p[0] + 5 * p[1]);
+		return p;
+	}),
+	                      At({0.1, 0.2, 0}, {0, 0, 1})));
+}
+
+// ---- through a request
+
+LabelRequest Round()
+{
+	LabelRequest request;
+	request.text = "ROUND AND ROUND IT GOES";
+	request.placement = PlacementKind::PointAndDirection;
+	request.position = {0, 0, 12};
+	request.up = {0, 1, 0};
+	request.size = 2;
+	request.depth = 0.3;
+	request.wrap = true;
+	return request;
+}
+
+LabelReport RunOnCylinder(const LabelRequest& request)
+{
+	test_mesh::RichMesh m;
+	test_mesh::Fill(m, test_mesh::Cylinder(10, 30, 60, 4));
+	const ServiceHost host;
+	ErrorContext context;
+	LabelJob<test_mesh::RichMesh> job(m, LabelFrame::Identity(), host, context);
+	return job.run(request);
+}
+
+RequestProblem ProblemOf(const LabelRequest& request)
+{
+	try {
+		RunOnCylinder(request);
+	} catch (const RequestError& error) {
+		return error.problem;
+	}
+	ADD_FAILURE() << "no refusal";
+	return RequestProblem::EmptyPart;
+}
+
+TEST(WrapRequest, IsMadeAndReported)
+{
+	for (const LabelStyle style : {LabelStyle::Emboss, LabelStyle::Engrave, LabelStyle::Flat}) {
+		LabelRequest request = Round();
+		request.style = style;
+		const LabelReport report = RunOnCylinder(request);
+		EXPECT_NEAR(report.view.wrapRadius, 10, 1e-5);
+		EXPECT_EQ(report.before.genus, report.after.genus);
+		EXPECT_EQ(report.after.nonManifoldEdges, 0);
+		EXPECT_NEAR(report.stretch, 1, 1e-6);
+		EXPECT_NE(ReportJson(report).find("\"wrap_radius\":"), std::string::npos);
+		EXPECT_NEAR(report.surfaceArea, report.labelArea, 0.01 * report.labelArea);
+	}
+	LabelRequest flat = Round();
+	flat.wrap = false;
+	flat.text = "A";
+	EXPECT_EQ(ReportJson(RunOnCylinder(flat)).find("wrap_"), std::string::npos);
+}
+
+TEST(WrapRequest, RadiusThatIsGiven)
+{
+	LabelRequest request = Round();
+	request.wrapRadius = 10;
+	EXPECT_EQ(RunOnCylinder(request).view.wrapRadius, 10);
+	request.wrapRadius = 1e9;
+	EXPECT_EQ(ProblemOf(request), RequestProblem::OutOfRange);
+	request.wrapRadius = NAN;
+	EXPECT_EQ(ProblemOf(request), RequestProblem::NotANumber);
+}
+
+TEST(WrapRequest, SizeLeftToTheFilter)
+{
+	LabelRequest request = Round();
+	request.size = request.depth = ChosenToFit;
+	for (const char* text : {"A", "ROUND", "ROUND AND ROUND IT GOES AND NEVER COMES TO ITS END"}) {
+		request.text = text;
+		EXPECT_GT(RunOnCylinder(request).size, 0.2) << text;
+	}
+}
+
+TEST(WrapRequest, Rotated)
+{
+	LabelRequest request = Round();
+	request.text = "HELIX";
+	request.rotation = 30;
+	EXPECT_NEAR(RunOnCylinder(request).stretch, 1, 1e-6);
+}
+
+TEST(WrapRequest, NeedsAPlaceAndAnAxis)
+{
+	LabelRequest request = Round();
+	request.placement = PlacementKind::Automatic;
+	EXPECT_EQ(ProblemOf(request), RequestProblem::WrapNeedsPlace);
+	request = Round();
+	request.position = {1, 40, 2};
+	request.direction = {0, 1, 0};
+	request.up = {0, 0, 1};
+	EXPECT_EQ(ProblemOf(request), RequestProblem::NoAxis);
+}
+
+}  // namespace
