@@ -15,6 +15,8 @@ std::map<std::string, QVariant> Outputs(const textlabel::LabelReport& r)
 		{"volume_after", r.after.volume},
 		{"anchor", QVariant::fromValue(Point(r.view.anchor))},
 		{"normal", QVariant::fromValue(Point(r.view.direction))},
+		{"wrap_radius", r.view.wrapRadius},
+		{"wrap_axis", QVariant::fromValue(Point(r.view.wrapAxis))},
 		{"size", r.size},
 		{"module", r.module},
 		{"depth", r.depth},

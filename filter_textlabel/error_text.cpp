@@ -102,8 +102,9 @@ std::string PlaceText(const Error& error, const ErrorContext& context)
 		return letter + " is partly hidden from the viewer by another surface" + where +
 		       ". Look at the place from another side, or move the label.";
 	case ErrorCode::TooLong:
-		return letter + where + " is " + FigureAbove(error.value) + " long with its margins, and the way round the part is " +
-		       FigureBelow(error.limit) + ". Make the text smaller (size) or shorter.";
+		return letter + where + " is " + FigureAbove(error.value) +
+		       " long with its margins, and the way round the part is " + FigureBelow(error.limit) +
+		       ". Make the text smaller (size) or shorter.";
 	case ErrorCode::BehindCamera:
 		if (context.isWrapped && error.value != 0)
 			return letter + " would reach the axis that it runs round" + where + ". Use a smaller depth.";
@@ -271,11 +272,13 @@ std::string ErrorText(const RequestError& error)
 		       " in front of the nearest one that faces the viewer. The part's faces are turned inside out: run " +
 		       invertFaces + " first. Or, if they are not, look from another direction.";
 	case RequestProblem::WrapNeedsPlace:
-		return "A label that is wrapped needs a place: give a position and a direction (placement Point and direction), "
+		return "A label that is wrapped needs a place: give a position and a direction (placement Point and "
+		       "direction), "
 			   "or a view.";
 	case RequestProblem::NoAxis:
 		return "The surface at the place bends round no axis that can be measured. Move the place to where the part is "
-			   "round, or say how far behind it the axis is (wrap_radius) and that it points upwards in the label (up).";
+			   "round, or say how far behind it the axis is (wrap_radius) and that it points upwards in the label "
+		       "(up).";
 	case RequestProblem::NoPlace:
 		return "No place on the part holds the text" +
 		       (error.value > 0

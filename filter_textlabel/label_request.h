@@ -41,8 +41,8 @@ struct LabelRequest {
 	double fieldOfView = 60;          ///< degrees, for Camera without XML
 	double offsetU = 0, offsetV = 0;  ///< shift in the label plane
 	double rotation = 0;              ///< degrees, counter-clockwise as the viewer sees it
-	bool wrap = false;                 ///< round the axis that the surface has there
-	double wrapRadius = 0;             ///< from the place to that axis, negative towards the viewer; 0: measured
+	bool wrap = false;                ///< round the axis that the surface has there
+	double wrapRadius = 0;            ///< from the place to that axis, negative towards the viewer; 0: measured
 	ExtrudeDirection extrudeAlong = ExtrudeDirection::Viewpoint;
 	double tolerance = ChosenToFit;  ///< chord error of curves
 	CodeKind code = CodeKind::None;

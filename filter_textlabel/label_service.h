@@ -336,8 +336,7 @@ LabelReport LabelJob<MeshType>::report(const LabelRequest& request) const
 	r.resolution = result_.resolution;
 	r.coordinateStep = result_.coordinateStep;
 	r.survivesFloat32 = result_.survivesFloat32;
-	r.view = {frame_.origin,      frame_.w,      frame_.v,      frame_.perspective,
-	          frame_.center, frame_.wrapRadius, frame_.wrapAxis};
+	r.view = {frame_.origin, frame_.w, frame_.v, frame_.perspective, frame_.center, frame_.wrapRadius, frame_.wrapAxis};
 	return r;
 }
 

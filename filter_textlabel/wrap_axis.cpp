@@ -59,7 +59,8 @@ public:
 			mixed_ += e.area * n * turn.transpose();
 			area += e.area;
 		}
-		constexpr double free = 1e-8;  // radians squared: a move along which no normal looks costs nothing, and helps nothing
+		constexpr double free =
+			1e-8;  // radians squared: a move along which no normal looks costs nothing, and helps nothing
 		const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> costs(moves / area);
 		for (int i = 0; i < 3; ++i) {
 			const Eigen::Vector3d along = costs.eigenvectors().col(i);
@@ -77,7 +78,8 @@ public:
 		const int count = 1 + int(cost[1] <= most) + int(cost[2] <= most);
 		for (const Eigen::Vector3d& wish : wishes) {
 			Eigen::Vector3d met = Eigen::Vector3d::Zero();
-			for (int i = 0; i < count; ++i) met += solver_.eigenvectors().col(i).dot(wish) * solver_.eigenvectors().col(i);
+			for (int i = 0; i < count; ++i)
+				met += solver_.eigenvectors().col(i).dot(wish) * solver_.eigenvectors().col(i);
 			if (met.norm() > enough) return met.normalized();
 		}
 		return solver_.eigenvectors().col(0);
@@ -92,7 +94,8 @@ private:
 };
 
 /// The axis of a direction to which the normals come nearest.
-Axis AxisAlong(const Eigen::Vector3d& direction, const Turns& turns, const SurfacePatch& surface, const LabelFrame& frame)
+Axis AxisAlong(const Eigen::Vector3d& direction, const Turns& turns, const SurfacePatch& surface,
+               const LabelFrame& frame)
 {
 	const Eigen::Vector3d center = direction.cross(turns.move(direction));
 	Axis axis{FromEigen(direction), frame.origin + FromEigen(center), center.norm()};
@@ -156,8 +159,8 @@ LabelFrame WrappedFrame(const LabelFrame& frame, double diagonal, const SurfaceA
 	const Point3d towards = frame.perspective ? frame.center - frame.origin : frame.w;
 	const LabelFrame parallel = vcg::textlabel::FrameFromDirection(frame.origin, towards, frame.v);
 	const std::optional<Axis> axis = FindAxis(parallel, diagonal, surface);
-	const bool isFound = axis && axis->roughness <= roughest && axis->radius >= nearest * diagonal &&
-	                     axis->radius <= largest * diagonal;
+	const bool isFound =
+		axis && axis->roughness <= roughest && axis->radius >= nearest * diagonal && axis->radius <= largest * diagonal;
 	if (!isFound) throw RequestError(RequestProblem::NoAxis, "wrap");
 	const Point3d away = frame.origin - axis->point;
 	const bool isInside = away * parallel.w < 0;

@@ -117,8 +117,11 @@ SurfacePatch CollectSurface(const MeshType& m, const vcg::textlabel::LabelFrame&
 			visit(twin / 3);
 			if (twin < h) continue;
 			const vcg::Point3d &p = seen.normal[size_t(h / 3)], &q = seen.normal[size_t(twin / 3)];
-			const vcg::Point3d middle = (seen.at(sheet.from(h)) + seen.at(sheet.to(h))) / 2, n = p / p.Norm() + q / q.Norm();
-			const auto toWorld = [&](const vcg::Point3d& d) { return frame.u * d[0] + frame.v * d[1] + frame.w * d[2]; };
+			const vcg::Point3d middle = (seen.at(sheet.from(h)) + seen.at(sheet.to(h))) / 2,
+							   n = p / p.Norm() + q / q.Norm();
+			const auto toWorld = [&](const vcg::Point3d& d) {
+				return frame.u * d[0] + frame.v * d[1] + frame.w * d[2];
+			};
 			patch.edges.push_back({frame.origin + toWorld(middle), toWorld(n / n.Norm()), (p.Norm() + q.Norm()) / 2});
 		}
 	return patch;

@@ -310,7 +310,8 @@ inline std::string CheckMeasures(const Outcome& o)
 		return Text("volume: changed by ", change, ", the result says ", r.addedVolume, ", rounding ", rounding);
 	if (o.c.height == 0) return {};
 	const bool upwards = o.c.along == ExtrudeAlong::Viewpoint || o.c.along == ExtrudeAlong::LabelNormal;
-	if (!o.c.frame.perspective && o.c.frame.wrapRadius == 0 && upwards) {  // a prism over any surface: base times height
+	if (!o.c.frame.perspective && o.c.frame.wrapRadius == 0 &&
+	    upwards) {  // a prism over any surface: base times height
 		const double expected = r.labelArea * o.c.height / det, allowed = rounding + 1e-6 * std::abs(expected);
 		if (!(std::abs(change - expected) <= allowed))
 			return Text("volume: changed by ", change, " instead of ", expected, ", allowed ", allowed);

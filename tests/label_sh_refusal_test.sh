@@ -17,6 +17,8 @@ refused 2 'two different places' --at 1,2,3 --camera above.xml box.off out.stl A
 refused 2 "'bold' of style" --style bold box.off out.stl A
 refused 2 "no parameter 'colour'" --set colour=red box.off out.stl A
 
+refused 1 'wrapped needs a place' --wrap box.off out.stl A
+refused 1 'no axis that can be measured' --wrap --at 30,20,10 box.off out.stl A
 refused 1 'cannot be read' no.off out.stl A
 refused 1 'cannot read the mesh' nonsense.stl out.stl A
 refused 1 'does not exist' box.off nowhere/out.stl A

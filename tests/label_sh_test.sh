@@ -102,6 +102,19 @@ mkdir -p files && ln -s files/real.stl link.stl
 # Polygons with more than three corners.
 works out.stl --at 30,20,10 --size 8 --depth 0.5 quads.off out.stl A43 && sound out.stl
 
+# Round a part: a drum of 48 sides, from the side; the axis is found, or given.
+awk 'BEGIN { n = 48; print "OFF"; print 2 * n + 2, 4 * n, 0
+	for (i = 0; i < 2 * n; i++) { a = 6.283185307179586 * (i % n) / n; print 10 * cos(a), 10 * sin(a), i < n ? 0 : 20 }
+	print 0, 0, 0; print 0, 0, 20
+	for (i = 0; i < n; i++) { j = (i + 1) % n
+		print 3, i, j, n + j; print 3, i, n + j, n + i; print 3, 2 * n, j, i; print 3, 2 * n + 1, n + i, n + j } }' >drum.off
+around='ROUND AND ROUND AND ROUND'
+for how in --wrap '--set wrap=true' '--set wrap_radius=10'; do
+	# shellcheck disable=SC2086  # several arguments
+	works out.stl --at 10,0,10 --direction 1,0,0 --size 2 --depth 0.4 $how drum.off out.stl "$around" && sound out.stl &&
+		grep -q '"wrap_radius":\(10\|9\.999\)' report.json || fail "$how: not round the drum"
+done
+
 # Colours of the input are still there.
 sed -e 's/^OFF/COFF/' -e '3,10s/$/ 10 20 30 255/' box.off >colored.off
 works colored.ply --size 5 colored.off colored.ply 'A' && head -c 400 colored.ply | grep -qa 'property uchar red' || fail "vertex colours are lost"

@@ -478,7 +478,8 @@ inline LabelCase MakeLabelOnTurnedPart(Random& random)
 	if (random.chance(0.4)) turn.SetRotateRad(random.real(0, 6), random.direction());
 	const double scale = random.pick({1.0, 1.0, 10.0, 1e3, 1e-3}), angle = random.real(0, 2 * M_PI),
 				 distance = std::abs(part.radius);
-	const vcg::Point3d offset = random.chance(0.7) ? vcg::Point3d(0, 0, 0) : random.direction() * random.pick({1.0, 10.0});
+	const vcg::Point3d offset =
+		random.chance(0.7) ? vcg::Point3d(0, 0, 0) : random.direction() * random.pick({1.0, 10.0});
 	const auto place = [&](const vcg::Point3d& p, double w) { return (Transform(turn, p, 0) + offset * w) * scale; };
 	for (vcg::Point3d& p : c.mesh.vertices) p = place(p, 1);
 	Store(c);
@@ -491,7 +492,8 @@ inline LabelCase MakeLabelOnTurnedPart(Random& random)
 	c.frame = FrameFromDirection(place(radial * distance, 1), Transform(turn, towards, 0), Transform(turn, up, 0));
 	c.frame.wrapAxis = Transform(turn, axis, 0);
 	c.frame.wrapRadius = part.radius * scale * (random.chance(0.8) ? 1 : random.pick({0.5, 0.9, 1.1, 2.0, 10.0}));
-	const bool isTrue = c.frame.wrapRadius == part.radius * scale, isRound = std::abs(c.frame.v * c.frame.wrapAxis) > 0.999;
+	const bool isTrue = c.frame.wrapRadius == part.radius * scale,
+			   isRound = std::abs(c.frame.v * c.frame.wrapAxis) > 0.999;
 
 	c.outline = MakeOutline(random);
 	const double height = part.high * random.pick({0.9, 0.5, 0.2}), room = 2 * M_PI * distance,
@@ -508,8 +510,8 @@ inline LabelCase MakeLabelOnTurnedPart(Random& random)
 	c.along = ExtrudeAlong(random.below(3));
 	// three facets: the one over the cut, and half of one at each end
 	const bool fits = 2 * length < room * (1 - 3.0 / part.around) && std::abs(c.height) <= 0.02 * scale;
-	c.mustWork = !isSpoiled && isTrue && isRound && fits && part.around >= 24 && c.along != ExtrudeAlong::SurfaceNormal &&
-	             AreStrokesCarried(c);
+	c.mustWork = !isSpoiled && isTrue && isRound && fits && part.around >= 24 &&
+	             c.along != ExtrudeAlong::SurfaceNormal && AreStrokesCarried(c);
 	return c;
 }
 

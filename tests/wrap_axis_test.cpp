@@ -69,8 +69,8 @@ TEST(WrapAxis, CylindersFromCoarseToFine)
 		for (const double turn : {0.0, 0.3, 1.0}) {  // in the middle of a facet and beside
 			const double a = turn * M_PI / sides, facet = std::cos(M_PI / sides);
 			const double r = 10 * facet / std::cos(std::remainder(a - M_PI / sides, 2 * M_PI / sides));
-			const LabelFrame f =
-				WrappedOn(Turned({10, 10}, sides, 20), At({r * std::sin(a), 3, r * std::cos(a)}, {std::sin(a), 0, std::cos(a)}));
+			const LabelFrame f = WrappedOn(Turned({10, 10}, sides, 20),
+			                               At({r * std::sin(a), 3, r * std::cos(a)}, {std::sin(a), 0, std::cos(a)}));
 			ExpectAxis(f, {0, 1, 0}, r);
 			ExpectUp(f, {0, 1, 0});
 		}
@@ -144,8 +144,9 @@ TEST(WrapAxis, Noisy)
 
 TEST(WrapAxis, OnASphereTheLabelsUp)
 {
-	const LabelFrame f = WrappedOn(test_mesh::Sphere(10, 48, 24).moved([](const Point3d& p) { return Point3d(p[0], p[2], -p[1]); }),
-	                               At({0, 0, 10}, {0, 0, 1}));
+	const LabelFrame f =
+		WrappedOn(test_mesh::Sphere(10, 48, 24).moved([](const Point3d& p) { return Point3d(p[0], p[2], -p[1]); }),
+	              At({0, 0, 10}, {0, 0, 1}));
 	ExpectAxis(f, {0, 1, 0}, 10, 1e-2);
 	ExpectUp(f, {0, 1, 0});
 }

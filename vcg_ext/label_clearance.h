@@ -229,7 +229,8 @@ inline Clearance MeasureClearance(const LabelSpace& space, const Sheet& sheet, c
 			search.compare(detail::CornersInPlane(sheet, t), t, sheet.triangles[size_t(t)].face,
 			               detail::NearestZ(sheet, t),
 			               [&](const vcg::Point2d& p) { return PointOnTriangle(space, sheet, t, p); });
-	if (!space.perspective()) return search.found();  // what the axis goes through is not seen; patch_check.h looks at it
+	if (!space.perspective())
+		return search.found();  // what the axis goes through is not seen; patch_check.h looks at it
 	for (const StraddlingTriangle& t : sheet.straddling) {
 		const vcg::Point3d &c = space.center(), normal = (t.label[1] - t.label[0]) ^ (t.label[2] - t.label[0]);
 		const auto pointOn = [&](const vcg::Point2d& p) {

@@ -27,7 +27,7 @@ enum class ErrorCode {
 	NonManifold,  ///< an edge of three or more faces, or two faces of opposite orientation, lies under the label
 	Occluded,     ///< another surface hides a piece of the label from the viewer
 	BehindCamera,  ///< the surface under the label reaches behind the centre of projection, or the label raised by `value` does;
-	               ///< of a wrapped label: to the axis, or over the cut opposite to the label
+				   ///< of a wrapped label: to the axis, or over the cut opposite to the label
 	TooLong,  ///< wrapped, and longer than the way round the axis: `value` with its margins, `limit` the way
 	Grazing,  ///< too steep to the view: `value` is the stretch, infinite from behind; `limit` the largest allowed
 	// the result

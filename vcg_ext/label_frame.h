@@ -27,13 +27,14 @@ namespace vcg::textlabel {
 
 /// Where the label's plane lies and from where it is projected; world coordinates throughout.
 struct LabelFrame {
-	vcg::Point3d origin{0, 0, 0};         ///< on the surface, under the label's anchor
-	vcg::Point3d u{1, 0, 0};              ///< reading direction, unit
-	vcg::Point3d v{0, 1, 0};              ///< up, unit
-	vcg::Point3d w{0, 0, 1};              ///< u x v, towards the viewer
-	bool perspective = false;             ///< false: parallel projection along -w
-	vcg::Point3d center{0, 0, 0};         ///< centre of projection C, when perspective
-	double wrapRadius = 0;  ///< not 0: wrapped round an axis so far behind the origin, before it when negative (inside a pipe)
+	vcg::Point3d origin{0, 0, 0};  ///< on the surface, under the label's anchor
+	vcg::Point3d u{1, 0, 0};       ///< reading direction, unit
+	vcg::Point3d v{0, 1, 0};       ///< up, unit
+	vcg::Point3d w{0, 0, 1};       ///< u x v, towards the viewer
+	bool perspective = false;      ///< false: parallel projection along -w
+	vcg::Point3d center{0, 0, 0};  ///< centre of projection C, when perspective
+	double wrapRadius =
+		0;  ///< not 0: wrapped round an axis so far behind the origin, before it when negative (inside a pipe)
 	vcg::Point3d wrapAxis{0, 1, 0};       ///< its direction, unit, perpendicular to w; meaningful when wrapped
 	vcg::Matrix44d toWorld = Identity();  ///< the layer's matrix, mesh to world; affine, may mirror
 
@@ -154,7 +155,7 @@ private:
 	bool perspective_ = false, mirrors_ = false;
 	// wrapped
 	double radius_ = 0;
-	vcg::Point2d across_{1, 0};  ///< label plane: the way round; the axis is to its left
+	vcg::Point2d across_{1, 0};                              ///< label plane: the way round; the axis is to its left
 	double middle_ = 0, middleSine_ = 0, middleCosine_ = 1;  ///< angle round the axis
 };
 
@@ -162,7 +163,8 @@ inline vcg::Point3d LabelSpace::unrolled(const vcg::Point3d& mesh) const
 {
 	const vcg::Point3d q = inFrame(mesh);
 	const vcg::Point2d p = offAxis(q);
-	const double angle = std::atan2(p[0] * middleCosine_ - p[1] * middleSine_, p[0] * middleSine_ + p[1] * middleCosine_);
+	const double angle =
+		std::atan2(p[0] * middleCosine_ - p[1] * middleSine_, p[0] * middleSine_ + p[1] * middleCosine_);
 	return {(angle + middle_) * radius_, across_[0] * q[1] - across_[1] * q[0],
 	        std::copysign(1.0, radius_) * (std::hypot(p[0], p[1]) - std::abs(radius_))};
 }

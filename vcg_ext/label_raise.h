@@ -99,6 +99,17 @@ inline std::vector<vcg::Point3d> SmoothNormals(const Sheet& sheet, const CutLabe
 	return normal;
 }
 
+/// A vector of label space at a point of the sheet, in mesh coordinates. Where the label is wrapped it turns with the point, steadily
+/// over each triangle as its corners do: what is raised of a triangle stays plane, and its pieces stay in their order.
+inline vcg::Point3d Across(const LabelSpace& space, const Sheet& sheet, const Mixture& at, const vcg::Point3d& label)
+{
+	const auto corner = [&](size_t k) { return sheet.vertices[size_t(at.parent[k])].mesh; };
+	if (!space.wraps()) return space.vectorToMesh(corner(0), label);
+	vcg::Point3d sum(0, 0, 0);
+	for (size_t k = 0; k < 3; ++k) sum += space.vectorToMesh(corner(k), label) * at.weight[k];
+	return sum;
+}
+
 /// A vertex that moves with a letter must belong to it alone: where two sheets touch in a vertex, both would move.
 inline void RequireOwnVertices(const Sheet& sheet, const LabelPatch& patch)
 {
@@ -150,7 +161,7 @@ inline LabelPatch RaiseLabel(const LabelSpace& space, const Sheet& sheet, const 
 				throw Error(ErrorCode::BehindCamera, "the label would rise to the centre of projection")
 					.atPlace(p.mesh)
 					.measured(height, 0);
-			return p.mesh + space.vectorToMesh(p.mesh, direction * height);
+			return p.mesh + detail::Across(space, sheet, cut.points.mixtureOf(sheet, i), direction * height);
 		};
 		for (const ContourPiece& piece : cut.pieces) {  // each contour point is the start of one piece
 			top[size_t(piece.from)] = old + int(patch.vertices.size());

@@ -262,7 +262,8 @@ enum class Wrapping {
 /// @param[in] v  mesh indices of its corners, all off the axis
 /// @pre space.wraps()
 template <class MeshType>
-Wrapping WrappingOf(const MeshType& m, const LabelSpace& space, const PlaneBox& unrolledBox, const std::array<int, 3>& v)
+Wrapping WrappingOf(const MeshType& m, const LabelSpace& space, const PlaneBox& unrolledBox,
+                    const std::array<int, 3>& v)
 {
 	const double all = space.circumference();
 	std::array<double, 3> at;
@@ -317,7 +318,8 @@ FoundTriangles FindTriangles(const MeshType& m, const LabelSpace& space, const P
 		}
 		found.isEmpty = found.isEmpty && !(isFinite(a) && isFinite(b) && isFinite(c));
 		if ((a | b | c) & Unusable) {
-			const bool isMet = space.wraps() || !(a & b & c & BehindCamera);  // what is on the axis may be met from all sides
+			const bool isMet =
+				space.wraps() || !(a & b & c & BehindCamera);  // what is on the axis may be met from all sides
 			if (((a | b | c) & BehindCamera) && isMet && isFinite(a) && isFinite(b) && isFinite(c))
 				found.straddling.push_back(int(f));
 			continue;

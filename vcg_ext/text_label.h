@@ -177,7 +177,8 @@ PlannedLabel PlanInBox(const MeshType& m, const LabelSpace& space, const Outline
 	p.survivesFloat32 = precision.isFloat;
 	for (;;) {
 		RequireWayRound(space, box.plane);
-		const bool isDeep = seesAll || space.wraps();  // where lines are bent, corners don't tell how deep a triangle is
+		const bool isDeep =
+			seesAll || space.wraps();  // where lines are bent, corners don't tell how deep a triangle is
 		const double depth = isDeep ? std::numeric_limits<double>::infinity() : std::abs(options.height) + 2 * box.room;
 		p.sheet = CollectSheet(m, space, box.plane, depth);
 		const double most = LabelPlanner(space, p.sheet, precision, options).worstResolution();

@@ -107,6 +107,9 @@ def _add_parameters(parser):
     group = parser.add_argument_group("label")
     for flag, name, text in FLAGS:
         group.add_argument(flag, dest=f"set_{name}", metavar=name.upper(), help=text)
+    group.add_argument(
+        "--wrap", dest="set_wrap", action="store_const", const="true", help="with --at: round the part, as on a bottle or a ring"
+    )
     group.add_argument("--set", action="append", default=[], metavar="NAME=VALUE", help="any parameter of the filter")
 
 
@@ -154,7 +157,7 @@ def _split(arguments):
 
 def _settings(arguments, is_template):
     """Parameters of the filter as texts. is_template: those with a brace are not yet values."""
-    settings = {name: getattr(arguments, f"set_{name}") for _, name, _ in FLAGS}
+    settings = {name: getattr(arguments, f"set_{name}") for name in [*(name for _, name, _ in FLAGS), "wrap"]}
     settings = {name: text for name, text in settings.items() if text is not None}
     for assignment in arguments.set:
         name, equals, text = assignment.partition("=")
