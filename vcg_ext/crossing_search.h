@@ -23,10 +23,39 @@ namespace vcg::textlabel {
 /// Three indices of positions.
 using Face = std::array<int, 3>;
 
+/// A closed box, empty until something is added.
+struct SearchBox {
+	std::array<double, 3> low, high;
+
+	SearchBox()
+	{
+		low.fill(std::numeric_limits<double>::infinity());
+		high.fill(-std::numeric_limits<double>::infinity());
+	}
+	bool isEmpty() const { return low[0] > high[0]; }
+	void add(const SearchBox& b)
+	{
+		for (size_t k = 0; k < 3; ++k) {
+			low[k] = std::min(low[k], b.low[k]);
+			high[k] = std::max(high[k], b.high[k]);
+		}
+	}
+	bool meets(const SearchBox& b) const
+	{
+		// without branches: which of the six comparisons fails is not to be predicted
+		unsigned apart = 0;
+		for (size_t k = 0; k < 3; ++k) apart |= unsigned(low[k] > b.high[k]) | unsigned(b.low[k] > high[k]);
+		return apart == 0;
+	}
+};
+
 struct CrossingOptions {
 	bool stopAtFirst = false;  ///< return after one pair: enough to refuse
 	/// Called as ignore(first, second, secondIsOther) for a pair that crosses: true leaves it out. May be null.
 	std::function<bool(int, int, bool)> ignore = nullptr;
+	/// Called as boxOf(face, isOther): a box of a face, in any coordinates in which the boxes of faces that meet do; finite, or empty for
+	/// one that meets nothing. Null: in those of the corners.
+	std::function<SearchBox(int, bool)> boxOf = nullptr;
 };
 
 /// Two faces that cross.
@@ -58,32 +87,6 @@ std::vector<FacePair> FindCrossings(const std::vector<vcg::Point3d>& positions, 
                                     const std::vector<Face>& others = {}, const CrossingOptions& options = {});
 
 namespace detail {
-
-/// A closed box, empty until something is added.
-struct SearchBox {
-	std::array<double, 3> low, high;
-
-	SearchBox()
-	{
-		low.fill(std::numeric_limits<double>::infinity());
-		high.fill(-std::numeric_limits<double>::infinity());
-	}
-	bool isEmpty() const { return low[0] > high[0]; }
-	void add(const SearchBox& b)
-	{
-		for (size_t k = 0; k < 3; ++k) {
-			low[k] = std::min(low[k], b.low[k]);
-			high[k] = std::max(high[k], b.high[k]);
-		}
-	}
-	bool meets(const SearchBox& b) const
-	{
-		// without branches: which of the six comparisons fails is not to be predicted
-		unsigned apart = 0;
-		for (size_t k = 0; k < 3; ++k) apart |= unsigned(low[k] > b.high[k]) | unsigned(b.low[k] > high[k]);
-		return apart == 0;
-	}
-};
 
 /// The box that meets every box.
 inline SearchBox Everywhere()
@@ -141,14 +144,14 @@ public:
 	};
 
 	/// The faces whose boxes meet `within`.
-	/// @param[in] cornersOf  gives the Corners of face 0 .. count-1
-	template <class CornersOf>
-	FaceTree(size_t count, const CornersOf& cornersOf, const SearchBox& within)
+	/// @param[in] boxOf  gives the box of face 0 .. count-1
+	template <class BoxOfFace>
+	FaceTree(size_t count, const BoxOfFace& boxOf, const SearchBox& within)
 	{
 		std::vector<Item> found;
 		SearchBox space;
 		for (size_t i = 0; i < count; ++i) {
-			const SearchBox box = BoxOf(cornersOf(i));
+			const SearchBox box = boxOf(i);
 			if (box.isEmpty() || !box.meets(within)) continue;
 			found.push_back({box, static_cast<int>(i)});
 			space.add(box);
@@ -258,7 +261,8 @@ std::vector<FacePair> FindCrossingsOf(size_t count, const CornersOf& cornersOf, 
 {
 	std::vector<FacePair> pairs;
 	const auto judge = [&](int i, int j, bool isOther, const Corners& second) {
-		const Contact contact = ContactWithinBoxes(cornersOf(static_cast<size_t>(i)), second);
+		const Corners& first = cornersOf(static_cast<size_t>(i));
+		const Contact contact = options.boxOf ? ContactOf(first, second) : ContactWithinBoxes(first, second);
 		if (!IsCrossing(contact) || (options.ignore && options.ignore(i, j, isOther))) return true;
 		pairs.push_back({i, j, isOther, contact});
 		return !options.stopAtFirst;
@@ -268,12 +272,18 @@ std::vector<FacePair> FindCrossingsOf(size_t count, const CornersOf& cornersOf, 
 	};
 	const auto withOther = [&](int i, int j) { return judge(i, j, true, otherCornersOf(static_cast<size_t>(j))); };
 
-	const FaceTree tree(count, cornersOf, Everywhere());
-	if (tree.top() < 0) return pairs;
-	if (PairDescent(tree, tree, amongFaces).run() && otherCount > 0) {
-		const FaceTree otherTree(otherCount, otherCornersOf, tree.box(tree.top(), 0));
-		PairDescent(tree, otherTree, withOther).run();
-	}
+	const auto search = [&](const auto& boxOf, const auto& otherBoxOf) {
+		const FaceTree tree(count, boxOf, Everywhere());
+		if (tree.top() < 0) return;
+		if (PairDescent(tree, tree, amongFaces).run() && otherCount > 0) {
+			const FaceTree otherTree(otherCount, otherBoxOf, tree.box(tree.top(), 0));
+			PairDescent(tree, otherTree, withOther).run();
+		}
+	};
+	if (options.boxOf)
+		search([&](size_t i) { return options.boxOf(static_cast<int>(i), false); },
+		       [&](size_t i) { return options.boxOf(static_cast<int>(i), true); });
+	else search([&](size_t i) { return BoxOf(cornersOf(i)); }, [&](size_t i) { return BoxOf(otherCornersOf(i)); });
 	std::sort(pairs.begin(), pairs.end());
 	return pairs;
 }

@@ -93,6 +93,12 @@ public:
 	/// Where a point lies on its way round the axis (an arc of the label's cylinder, up to half a circumference to both sides of the
 	/// middle), along the axis, and how far from that cylinder towards the viewer. @pre wraps()
 	vcg::Point3d unrolled(const vcg::Point3d& mesh) const;
+	/// @pre wraps()
+	double distanceFromAxis(const vcg::Point3d& mesh) const
+	{
+		const vcg::Point2d p = offAxis(inFrame(mesh));
+		return std::hypot(p[0], p[1]);
+	}
 	/// The box of a label as seen along the way round and along the axis. @pre wraps()
 	PlaneBox unrolledBox(const PlaneBox& box) const;
 	/// The way round of a point of label space. @pre wraps()

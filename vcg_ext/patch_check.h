@@ -204,6 +204,37 @@ private:
 		}
 		return near;
 	}
+	/// Where a face lies round the axis, along it and off it: in space the boxes of all that runs along a slanting axis meet.
+	/// @pre space_.wraps()
+	SearchBox unrolledBox(int number) const
+	{
+		const Corners c = corners(number);
+		vcg::Box3d box;
+		double reach = 0, nearest = std::numeric_limits<double>::infinity();  // from the axis
+		for (const vcg::Point3d& p : c) {
+			box.Add(space_.unrolled(p));
+			nearest = std::min(nearest, space_.distanceFromAxis(p));
+			reach = std::max({reach, std::abs(p[0]), std::abs(p[1]), std::abs(p[2])});
+		}
+		const double all = space_.circumference(), arc = box.DimX() / all;  // of the way round
+		const bool isTorn = number >= firstStraddling() || !(arc < 0.5);
+		if (isTorn) {
+			const double middle = box.Center()[0];
+			box.min[0] = middle - all;
+			box.max[0] = middle + all;
+		}
+		// between its corners a face comes nearer to the axis, by no more than the chord of its arc does
+		const double nearer = isTorn ? nearest : nearest * (1 - std::cos(arc * std::acos(-1.0)));
+		box.min[2] -= nearer;
+		box.max[2] += nearer;
+		const double slack = rounding * (reach * space_.scale() + all);
+		SearchBox out;
+		for (int k = 0; k < 3; ++k) {
+			out.low[size_t(k)] = box.min[k] - slack;
+			out.high[size_t(k)] = box.max[k] + slack;
+		}
+		return out;
+	}
 	bool isOnSurface(int face) const { return patch_.faces[size_t(face)].kind == FaceKind::Outside || patch_.isFlat; }
 	/// Two pieces of the surface that crossed before they were cut are not the label's fault.
 	bool crossedBefore(int face, int other) const
@@ -230,6 +261,7 @@ private:
 		options.ignore = [&](int first, int second, bool isOther) {
 			return crossedBefore(mine[size_t(first)], numberOf(second, isOther));
 		};
+		if (space_.wraps()) options.boxOf = [&](int face, bool isOther) { return unrolledBox(numberOf(face, isOther)); };
 		for (const FacePair& pair : FindCrossings(myCorners, otherCorners, options))
 			return verdict(mine[size_t(pair.first)], numberOf(pair.second, pair.secondIsOther));
 		return {};
