@@ -107,7 +107,7 @@ const std::vector<Parameter>& ParameterTable()
 	     "Runs the label round the part, as on a bottle, a ring or a shaft: every letter looks straight away from the "
 	     "axis, or towards it inside a pipe. The axis is found from the surface at the place; the text reads round it "
 	     "or along it, whichever is nearer to how it would be flat. Not for the placement Automatic.",
-	     &R::wrap, Use::Value, advanced},
+	     &R::wrap},
 		{"wrap_radius", "Distance to the axis (mesh units)",
 	     "For Wrap round the part: from the place straight behind it to the axis, which then has the direction of the "
 	     "label's up; negative: towards the viewer, for the inside of a pipe. 0: found from the surface.",

@@ -71,7 +71,7 @@ dialog=$(window '^Text Label$')
 xdotool windowmove --sync "$dialog" 1060 60 windowfocus "$dialog" sleep 0.5
 bottom=$((60 + $(height "$dialog")))  # its rows are counted from below: the text above depends on the fonts
 [ $bottom -le 1000 ] || die "the dialog is $((bottom - 60)) pixels high: too high for a screen"
-click 1425 $((bottom - 648))
+click 1425 $((bottom - 679))
 xdotool key ctrl+a type 'B7'
 shot 3-dialog
 
