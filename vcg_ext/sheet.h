@@ -424,7 +424,7 @@ void CollectVertices(const MeshType& m, const LabelSpace& space, const std::vect
 /// @param[in] depth  world units: of those that show their backs, what lies whole further behind all that face the viewer is left
 ///                   out; the underside of a part is of no interest to a label on its top
 /// @return candidates in order of their face index; triangles with a vertex that is not finite or lies behind the centre
-///         of projection are left out
+///         of projection are left out, of a wrapped label those that can't be unrolled whole
 template <class MeshType>
 Sheet CollectSheet(const MeshType& m, const LabelSpace& space, const PlaneBox& box,
                    double depth = std::numeric_limits<double>::infinity())
