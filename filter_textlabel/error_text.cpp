@@ -85,14 +85,20 @@ std::string PlaceText(const Error& error, const ErrorContext& context)
 	case ErrorCode::OffSurface: return letter + " lies beside the surface" + where + ". " + moveIt;
 	case ErrorCode::FacesAway:
 		return letter + " meets the back of the surface" + where +
-		       ". Look at the part from outside; when it looks right there, its faces are turned inside out: run " +
+		       (context.isWrapped
+		            ? ". A wrapped label is read from outside its axis, in a pipe from it. When that is so, the "
+		              "part's faces are turned inside out: run "
+		            : ". Look at the part from outside; when it looks right there, its faces are turned inside "
+		              "out: run ") +
 		       orientFaces + " or " + invertFaces + " first.";
 	case ErrorCode::Border:
 		return letter + " runs over a border or a hole of the surface" + where + ". " + moveIt +
 		       " Or close the hole first.";
 	case ErrorCode::Silhouette:
 		if (context.isWrapped)
-			return letter + " runs over an edge where the part turns away from the reader" + where + ". " + moveIt;
+			return letter +
+			       " runs over an edge where the part turns away from the axis, or where something stands on it" +
+			       where + ". " + moveIt;
 		return letter + " runs over the horizon of the part as seen from the viewpoint" + where + ". " + moveIt;
 	case ErrorCode::NonManifold:
 		return letter +
@@ -100,11 +106,12 @@ std::string PlaceText(const Error& error, const ErrorContext& context)
 		       ". Move the label, or repair the part first (" + repairEdges + ", " + orientFaces + ").";
 	case ErrorCode::Occluded:
 		return letter + " is partly hidden from the viewer by another surface" + where +
-		       ". Look at the place from another side, or move the label.";
+		       (context.isWrapped ? ". Move the label round the part or along it, or make it smaller (size)."
+		                          : ". Look at the place from another side, or move the label.");
 	case ErrorCode::TooLong:
 		return letter + where + " is " + FigureAbove(error.value) +
 		       " long with its margins, and the way round the part is " + FigureBelow(error.limit) +
-		       ". Make the text smaller (size) or shorter.";
+		       ". Make the text smaller (size) or shorter, or move the axis (wrap_radius).";
 	case ErrorCode::BehindCamera:
 		if (context.isWrapped && error.value != 0)
 			return letter + " would reach the axis that it runs round" + where + ". Use a smaller depth.";
@@ -121,10 +128,14 @@ std::string PlaceText(const Error& error, const ErrorContext& context)
 	case ErrorCode::Grazing:
 		if (!std::isfinite(error.value))
 			return letter + " lies on a surface that turns its back to the direction in which the label is extruded" +
-			       where + ". Extrude along the viewpoint (extrude_along), or look at the place more from the front.";
-		return letter + " lies on a surface that is too steep to the view" + where + ": it would be stretched " +
-		       FigureAbove(error.value) + " times, " + Figure(error.limit) +
-		       " is allowed. Look at the place more from the front, or raise max_stretch.";
+			       where + ". Extrude along the viewpoint (extrude_along), or " +
+			       (context.isWrapped ? "move the label." : "look at the place more from the front.");
+		return letter + " lies on a surface that is too steep to the " + (context.isWrapped ? "axis" : "view") + where +
+		       ": it would be stretched " + FigureAbove(error.value) + " times, " + Figure(error.limit) +
+		       " is allowed. " +
+		       (context.isWrapped ? "Move the label, or give another axis (up, wrap_radius)"
+		                          : "Look at the place more from the front") +
+		       ", or raise max_stretch.";
 	case ErrorCode::TooFine:
 		if (!(error.value > 0))
 			return letter + " meets corners or edges of the mesh" + where +
@@ -277,8 +288,8 @@ std::string ErrorText(const RequestError& error)
 			   "or a view.";
 	case RequestProblem::NoAxis:
 		return "The surface at the place bends round no axis that can be measured. Move the place to where the part is "
-			   "round, or say how far behind it the axis is (wrap_radius) and that it points upwards in the label "
-		       "(up).";
+			   "round, merge its vertices if they are not, or say how far behind the place the axis is (wrap_radius) "
+			   "and that it points upwards in the label (up).";
 	case RequestProblem::NoPlace:
 		return "No place on the part holds the text" +
 		       (error.value > 0

@@ -306,11 +306,12 @@ void CheckRequest(const LabelRequest& request, const vcg::Box3d& box)
 	if (request.fitWidth == 0) CheckLength("size", request.size, box.Diag());
 	if (request.style != LabelStyle::Flat) CheckLength("depth", request.depth, box.Diag());
 	CheckLength("tolerance", request.tolerance, box.Diag());
-	CheckRange("fit_width", request.fitWidth, 0, box.Diag());
+	constexpr double wayRound = 3.15;  // of the diagonal: no circle within a part is longer
+	CheckRange("fit_width", request.fitWidth, 0, box.Diag() * (request.isWrapped() ? wayRound : 1));
 	CheckRange("field_of_view", request.fieldOfView, 0, 180);
 	constexpr double farthest = 1e3;  // of the diagonal: what is less bent is flat
 	CheckRange("wrap_radius", request.wrapRadius, -farthest * box.Diag(), farthest * box.Diag());
-	if (request.wrap && request.placement == PlacementKind::Automatic)
+	if (request.isWrapped() && request.placement == PlacementKind::Automatic)
 		throw RequestError(RequestProblem::WrapNeedsPlace, "wrap");
 	CheckRange("max_stretch", request.maxStretch, 1, INFINITY);
 	constexpr double mostDigits = 15;  // of a double

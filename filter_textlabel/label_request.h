@@ -42,7 +42,7 @@ struct LabelRequest {
 	double offsetU = 0, offsetV = 0;  ///< shift in the label plane
 	double rotation = 0;              ///< degrees, counter-clockwise as the viewer sees it
 	bool wrap = false;                ///< round the axis that the surface has there
-	double wrapRadius = 0;            ///< from the place to that axis, negative towards the viewer; 0: measured
+	double wrapRadius = 0;            ///< not 0: round an axis so far behind the place, negative towards the viewer
 	ExtrudeDirection extrudeAlong = ExtrudeDirection::Viewpoint;
 	double tolerance = ChosenToFit;  ///< chord error of curves
 	CodeKind code = CodeKind::None;
@@ -66,6 +66,8 @@ struct LabelRequest {
 	std::string picture;       ///< file for a picture (PNG); empty: none
 	bool pictureBack = false;  ///< the picture shows the label from behind (open surfaces)
 	std::string outline;       ///< file for the flat label (SVG); empty: none
+
+	bool isWrapped() const { return wrap || wrapRadius != 0; }
 };
 
 /// How a host's dialog should offer a parameter, beyond its type.

@@ -42,7 +42,6 @@ void Imply(const std::set<std::string>& given, LabelRequest& request)
 	const bool isBlank = request.camera.find_first_not_of(" \t\r\n") == std::string::npos;
 	if (has("camera") && isBlank && !has("position")) throw RequestError(RequestProblem::CameraMissing, "camera");
 	if (has("color") && !has("tint")) request.tint = true;
-	if (has("wrap_radius") && !has("wrap")) request.wrap = true;
 }
 
 }  // namespace

@@ -99,7 +99,9 @@ const std::vector<Parameter>& ParameterTable()
 	     "Of a Camera without text. 5 and less is a parallel view, as in MeshLab.", &R::fieldOfView, Use::Value,
 	     advanced},
 		{"offset_u", "Shift right (mesh units)",
-	     "Moves the label to the right, as the viewer sees it and before it is rotated.", &R::offsetU},
+	     "Moves the label to the right, as the viewer sees it and before it is rotated; round the part when it is "
+	     "wrapped.",
+	     &R::offsetU},
 		{"offset_v", "Shift up (mesh units)",
 	     "Moves the label upwards, as the viewer sees it and before it is rotated.", &R::offsetV},
 		{"rotation", "Rotation (degrees)", "Turns the label counter-clockwise, as the viewer sees it.", &R::rotation},
@@ -109,8 +111,9 @@ const std::vector<Parameter>& ParameterTable()
 	     "or along it, whichever is nearer to how it would be flat. Not for the placement Automatic.",
 	     &R::wrap},
 		{"wrap_radius", "Distance to the axis (mesh units)",
-	     "For Wrap round the part: from the place straight behind it to the axis, which then has the direction of the "
-	     "label's up; negative: towards the viewer, for the inside of a pipe. 0: found from the surface.",
+	     "Wraps the label round an axis so far straight behind the place, with the direction of up; negative: towards "
+	     "the "
+	     "viewer, for the inside of a pipe. 0: none, or, with Wrap round the part, the one that the surface has.",
 	     &R::wrapRadius, Use::Value, advanced},
 		{"extrude_along", "Extrude along",
 	     "Viewpoint: along the lines of sight; this never folds. Label normal: straight out of the label's "

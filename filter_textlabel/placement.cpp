@@ -109,7 +109,7 @@ LabelFrame PlaceAtPoint(const LabelRequest& request, const PartProbe& part)
 	const SurfaceHit* const nearest = NearestFacing(hits);
 	if (!nearest) throw RequestError(RequestProblem::PointMissesPart, "position");
 	const double hidden = nearest->distance - hits.front().distance;
-	if (hidden > sameSurface * part.box.Diag()) {
+	if (hidden > sameSurface * part.box.Diag() && !request.isWrapped()) {  // in a pipe, it is read from the axis
 		const RequestProblem by = hits.front().facing ? RequestProblem::HiddenPlace : RequestProblem::HiddenByBack;
 		throw RequestError(by, "position").measured(hidden);
 	}
@@ -126,6 +126,19 @@ void Rotate(LabelFrame& frame, double degrees)
 	const vcg::Point3d u = frame.u * c + frame.v * s;
 	frame.v = frame.v * c - frame.u * s;
 	frame.u = u;
+}
+
+/// A wrapped frame shifted over its cylinder.
+LabelFrame ShiftedRound(const LabelFrame& frame, double right, double up)
+{
+	if (right == 0 && up == 0) return frame;
+	const vcg::textlabel::LabelSpace space(frame);
+	LabelFrame shifted = frame;
+	shifted.origin = space.toMesh({right, up, 0});
+	shifted.u = space.vectorToMesh(shifted.origin, {1, 0, 0});
+	shifted.v = space.vectorToMesh(shifted.origin, {0, 1, 0});
+	shifted.w = shifted.u ^ shifted.v;
+	return shifted;
 }
 
 /// Length of a box along a direction.
@@ -197,11 +210,15 @@ bool OfferAtPlace(const LabelRequest& request, double size, const Camera& camera
                   TextSetter& text, const Accept& accept)
 {
 	constexpr double largestLetters = 0.08, largestCode = 0.25;
-	LabelFrame frame = request.placement == PlacementKind::PointAndDirection ? PlaceAtPoint(request, part)
-	                                                                         : PlaceInView(request, camera, part);
-	if (request.wrap)
+	LabelRequest unshifted = request;
+	if (request.isWrapped()) unshifted.offsetU = unshifted.offsetV = 0;
+	LabelFrame frame = request.placement == PlacementKind::PointAndDirection ? PlaceAtPoint(unshifted, part)
+	                                                                         : PlaceInView(unshifted, camera, part);
+	if (request.isWrapped()) {
 		frame = request.wrapRadius != 0 ? WrappedFrame(frame, request.wrapRadius)
 		                                : WrappedFrame(frame, part.box.Diag(), part.surfaceAround);
+		frame = ShiftedRound(frame, request.offsetU, request.offsetV);
+	}
 	Rotate(frame, request.rotation);
 	if (size != ChosenToFit) return accept({frame, size, 0});
 	const double largest = request.code == CodeKind::None ? largestLetters : largestCode;

@@ -48,11 +48,12 @@ private:
 class Turns {
 public:
 	/// @param[in] unit  of length, so that turns and moves weigh alike
-	Turns(const SurfacePatch& surface, const Point3d& place, double unit) : unit_(unit)
+	Turns(const SurfacePatch& surface, const Point3d& place, double unit, bool withEnds) : unit_(unit)
 	{
 		Eigen::Matrix3d turns = Eigen::Matrix3d::Zero(), moves = turns;
 		double area = 0;
-		for (const EdgeMiddle& e : surface.edges) {
+		for (const FoldPoint& e : surface.folds) {
+			if (e.isEnd && !withEnds) continue;
 			const Eigen::Vector3d n = ToEigen(e.normal), turn = ToEigen((e.point - place) ^ e.normal) / unit;
 			turns += e.area * turn * turn.transpose();
 			moves += e.area * n * n.transpose();
@@ -66,32 +67,43 @@ public:
 			const Eigen::Vector3d along = costs.eigenvectors().col(i);
 			if (costs.eigenvalues()[i] > free) inverse_ += along * along.transpose() / (costs.eigenvalues()[i] * area);
 		}
-		solver_.compute((turns - mixed_.transpose() * inverse_ * mixed_) / area);
+		cost_ = (turns - mixed_.transpose() * inverse_ * mixed_) / area;
 	}
-	/// The direction about which turns are seen least. Where several are as good, as on a ball, the first of those wished for.
-	Eigen::Vector3d direction(std::initializer_list<Eigen::Vector3d> wishes) const
-	{
-		constexpr double nothing = 1e-10, asGood = 1e-4, alike = 4;  // units squared; of the worst; times the best
-		constexpr double enough = 0.5;                               // of a wish that is met
-		const Eigen::Vector3d& cost = solver_.eigenvalues();
-		const double most = std::max({nothing, asGood * cost[2], alike * cost[0]});
-		const int count = 1 + int(cost[1] <= most) + int(cost[2] <= most);
-		for (const Eigen::Vector3d& wish : wishes) {
-			Eigen::Vector3d met = Eigen::Vector3d::Zero();
-			for (int i = 0; i < count; ++i)
-				met += solver_.eigenvectors().col(i).dot(wish) * solver_.eigenvectors().col(i);
-			if (met.norm() > enough) return met.normalized();
-		}
-		return solver_.eigenvectors().col(0);
-	}
+	/// Units squared: a turn times this times the turn is what the normals see of it, when it has the best move beside it.
+	const Eigen::Matrix3d& cost() const { return cost_; }
 	/// The move that goes with a turn: it brings the turn's axis to where the normals meet.
 	Eigen::Vector3d move(const Eigen::Vector3d& turn) const { return -(inverse_ * (mixed_ * turn)) * unit_; }
 
 private:
 	const double unit_;
 	Eigen::Matrix3d mixed_ = Eigen::Matrix3d::Zero(), inverse_ = mixed_;
-	Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver_;
+	Eigen::Matrix3d cost_;
 };
+
+/// The turns, of those in a basis, of which little is seen: the least, and all that are as good.
+Eigen::MatrixXd LeastSeen(const Eigen::Matrix3d& cost, const Eigen::MatrixXd& basis)
+{
+	constexpr double nothing = 1e-10, asGood = 1e-4, alike = 4;  // units squared; of the worst; times the best
+	const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(basis.transpose() * cost * basis);
+	const Eigen::VectorXd& seen = solver.eigenvalues();
+	const double most = std::max({nothing, asGood * seen[seen.size() - 1], alike * seen[0]});
+	Eigen::Index count = 1;
+	while (count < seen.size() && seen[count] <= most) ++count;
+	return basis * solver.eigenvectors().leftCols(count);
+}
+
+/// The direction about which turns are seen least. Where several are as good, as on a ball, the first of those wished for.
+Eigen::Vector3d DirectionOf(const Turns& ofMiddles, const Turns& ofAll, std::initializer_list<Eigen::Vector3d> wishes)
+{
+	constexpr double enough = 0.5;  // of a wish that is met
+	Eigen::MatrixXd least = LeastSeen(ofMiddles.cost(), Eigen::Matrix3d::Identity());
+	if (least.cols() > 1) least = LeastSeen(ofAll.cost(), least);
+	for (const Eigen::Vector3d& wish : wishes) {
+		const Eigen::Vector3d met = least * (least.transpose() * wish);
+		if (met.norm() > enough) return met.normalized();
+	}
+	return least.col(0);
+}
 
 /// The axis of a direction to which the normals come nearest.
 Axis AxisAlong(const Eigen::Vector3d& direction, const Turns& turns, const SurfacePatch& surface,
@@ -101,7 +113,8 @@ Axis AxisAlong(const Eigen::Vector3d& direction, const Turns& turns, const Surfa
 	Axis axis{FromEigen(direction), frame.origin + FromEigen(center), center.norm()};
 	double squares = 0, area = 0;
 	Sector places(axis.direction, FromEigen(-center)), normals(axis.direction, frame.w);
-	for (const EdgeMiddle& e : surface.edges) {
+	for (const FoldPoint& e : surface.folds) {
+		if (e.isEnd) continue;
 		Point3d across = e.point - axis.point;
 		across -= axis.direction * (across * axis.direction);
 		const double sine = (axis.direction ^ across) * e.normal / across.Norm();
@@ -121,9 +134,9 @@ Axis AxisAlong(const Eigen::Vector3d& direction, const Turns& turns, const Surfa
 std::optional<Axis> AxisOf(const SurfacePatch& surface, const LabelFrame& frame, double unit)
 {
 	constexpr double straight = 0.99996, rougher = 1.1, rough = 0.005;  // cosine of half a degree; times; a sine
-	if (surface.edges.empty()) return std::nullopt;
-	const Turns turns(surface, frame.origin, unit);
-	const Eigen::Vector3d direction = turns.direction({ToEigen(frame.v), ToEigen(frame.u)});
+	if (surface.folds.empty()) return std::nullopt;
+	const Turns turns(surface, frame.origin, unit, false), all(surface, frame.origin, unit, true);
+	const Eigen::Vector3d direction = DirectionOf(turns, all, {ToEigen(frame.v), ToEigen(frame.u)});
 	const Axis axis = AxisAlong(direction, turns, surface, frame);
 	if (!std::isfinite(axis.arc + axis.radius + axis.roughness)) return std::nullopt;
 	for (const Point3d& p : {frame.v, frame.u, Point3d(1, 0, 0), Point3d(0, 1, 0), Point3d(0, 0, 1)}) {
@@ -151,13 +164,19 @@ std::optional<Axis> FindAxis(const LabelFrame& frame, double diagonal, const Sur
 	return found;
 }
 
+/// The parallel view of a place along the line of sight to it.
+LabelFrame Straight(const LabelFrame& frame)
+{
+	if (!frame.perspective) return frame;
+	return vcg::textlabel::FrameFromDirection(frame.origin, frame.center - frame.origin, frame.v);
+}
+
 }  // namespace
 
 LabelFrame WrappedFrame(const LabelFrame& frame, double diagonal, const SurfaceAround& surface)
 {
-	constexpr double roughest = 0.3, largest = 20, nearest = 1e-3;  // a sine; of the diagonal
-	const Point3d towards = frame.perspective ? frame.center - frame.origin : frame.w;
-	const LabelFrame parallel = vcg::textlabel::FrameFromDirection(frame.origin, towards, frame.v);
+	constexpr double roughest = 0.15, largest = 20, nearest = 1e-3;  // a sine; of the diagonal
+	const LabelFrame parallel = Straight(frame);
 	const std::optional<Axis> axis = FindAxis(parallel, diagonal, surface);
 	const bool isFound =
 		axis && axis->roughness <= roughest && axis->radius >= nearest * diagonal && axis->radius <= largest * diagonal;
@@ -179,9 +198,8 @@ LabelFrame WrappedFrame(const LabelFrame& frame, double diagonal, const SurfaceA
 
 LabelFrame WrappedFrame(const LabelFrame& frame, double radius)
 {
-	LabelFrame f = frame;
-	f.perspective = false;
-	f.wrapAxis = frame.v;
+	LabelFrame f = Straight(frame);
+	f.wrapAxis = f.v;
 	f.wrapRadius = radius;
 	return f;
 }

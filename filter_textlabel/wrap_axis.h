@@ -1,9 +1,10 @@
 #pragma once
 // The axis that a label runs round: found from the surface under it, or given by its distance.
 //
-// A turned part shows its axis: every normal of its surface meets it. Of the lines along the normals around a place, the axis is the
-// one that comes nearest to them all. The normals are taken at the middles of edges: there they meet the axis of a coarse part too,
-// a nut with six sides included.
+// A turned part shows its axis: every normal of its surface meets it. The axis is the line that comes nearest to the normals around a
+// place. They are taken on the edges over which the surface bends, halfway between the two faces: at the middle of such an edge they
+// meet the axis of a coarse part, too. At its ends they do so when it runs along the part, but only nearly when it runs round it; the
+// ends are asked where all middles are at one height, as on a nut or a cone of a single row of facets.
 // Source: H. Pottmann, T. Randrup, "Rotational and helical surface approximation for reverse engineering", Computing 60 (1998).
 
 #include "vcg_ext/label_frame.h"
@@ -15,16 +16,17 @@
 
 namespace textlabel {
 
-/// Where an edge has its middle, and which way the surface looks there; world coordinates.
-struct EdgeMiddle {
+/// A point of an edge over which the surface bends; world coordinates.
+struct FoldPoint {
 	vcg::Point3d point;
-	vcg::Point3d normal;  ///< unit, between those of the two faces
+	vcg::Point3d normal;  ///< unit, halfway between those of the two faces
 	double area = 0;      ///< of the two faces
+	bool isEnd = false;   ///< else the middle
 };
 
 /// A piece of surface around a place.
 struct SurfacePatch {
-	std::vector<EdgeMiddle> edges;
+	std::vector<FoldPoint> folds;
 	bool isWhole = false;  ///< a larger one would hold no more
 };
 
@@ -98,6 +100,7 @@ struct SeenSurface {
 template <class MeshType>
 SurfacePatch CollectSurface(const MeshType& m, const vcg::textlabel::LabelFrame& frame, double halfSide)
 {
+	constexpr double flat = 1e-4, sharp = 1.35;  // radians: rounding; the corner of a box, or the end of a part
 	const vcg::textlabel::LabelSpace space(frame);
 	const detail::SeenSurface seen(m, space, halfSide);
 	const auto& sheet = seen.sheet;
@@ -113,16 +116,20 @@ SurfacePatch CollectSurface(const MeshType& m, const vcg::textlabel::LabelFrame&
 		for (int h = 3 * found[i]; h < 3 * found[i] + 3; ++h) {
 			const int twin = sheet.twin[size_t(h)];
 			if (twin == vcg::textlabel::BorderEdge) patch.isWhole = false;  // of the square, or of the part
-			if (twin < 0 || !seen.faces(twin / 3)) continue;
-			visit(twin / 3);
-			if (twin < h) continue;
+			if (twin < 0) continue;
+			if (seen.faces(twin / 3)) visit(twin / 3);
+			if (twin < h && isFound[size_t(twin / 3)]) continue;
 			const vcg::Point3d &p = seen.normal[size_t(h / 3)], &q = seen.normal[size_t(twin / 3)];
-			const vcg::Point3d middle = (seen.at(sheet.from(h)) + seen.at(sheet.to(h))) / 2,
-							   n = p / p.Norm() + q / q.Norm();
+			const double turn = std::atan2((p ^ q).Norm(), p * q);
+			if (!(turn > flat && turn < sharp)) continue;
+			const vcg::Point3d n = p / p.Norm() + q / q.Norm();
 			const auto toWorld = [&](const vcg::Point3d& d) {
 				return frame.u * d[0] + frame.v * d[1] + frame.w * d[2];
 			};
-			patch.edges.push_back({frame.origin + toWorld(middle), toWorld(n / n.Norm()), (p.Norm() + q.Norm()) / 2});
+			const vcg::Point3d &from = seen.at(sheet.from(h)), &to = seen.at(sheet.to(h));
+			for (const double along : {0.0, 0.5, 1.0})
+				patch.folds.push_back({frame.origin + toWorld(from + (to - from) * along), toWorld(n / n.Norm()),
+				                       (p.Norm() + q.Norm()) / 2, along != 0.5});
 		}
 	return patch;
 }

@@ -153,7 +153,8 @@ double PairsLookedAt(const Soup& s)
 	};
 	long count = 0;
 	const auto visit = [&](int, int) { return ++count > 0; };
-	const FaceTree tree(s.faces.size(), [&](size_t i) { return BoxOf(corners(i)); }, Everywhere());
+	const FaceTree tree(
+		s.faces.size(), [&](size_t i) { return BoxOf(corners(i)); }, Everywhere());
 	PairDescent(tree, tree, visit).run();
 	return double(count) / double(s.faces.size());
 }

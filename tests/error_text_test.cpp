@@ -57,12 +57,16 @@ TEST(ErrorText, EveryCodeOfTheLibraryHasItsOwn)
 	}
 	ErrorContext wrapped;
 	wrapped.isWrapped = true;
-	for (const Error& error : {Error(ErrorCode::BehindCamera), Error(ErrorCode::BehindCamera).measured(-2, 0),
-	                           Error(ErrorCode::BehindCamera).measured(2, 0), Error(ErrorCode::Silhouette)}) {
+	for (const Error& error :
+	     {Error(ErrorCode::BehindCamera), Error(ErrorCode::BehindCamera).measured(-2, 0),
+	      Error(ErrorCode::BehindCamera).measured(2, 0), Error(ErrorCode::Silhouette), Error(ErrorCode::Occluded),
+	      Error(ErrorCode::FacesAway), Error(ErrorCode::TooLong).measured(12, 10),
+	      Error(ErrorCode::Grazing).measured(9, 8), Error(ErrorCode::Grazing).measured(INFINITY, 8)}) {
 		const std::string text = ErrorText(error, wrapped);
 		ExpectReadable(text);
+		EXPECT_EQ(text.find("ook at the p"), std::string::npos) << text;
 		EXPECT_EQ(text.find("camera"), std::string::npos) << text;
-		EXPECT_EQ(text.find("viewpoint"), std::string::npos) << text;
+		EXPECT_EQ(text.find("from the viewpoint"), std::string::npos) << text;
 	}
 }
 

@@ -251,12 +251,125 @@ TEST(LabelWrap, ALayerThatMirrorsAndScales)
 	LabelFrame f = Round(2 * radius);
 	f.toWorld.ElementAt(0, 0) = -2;
 	f.toWorld.ElementAt(1, 1) = f.toWorld.ElementAt(2, 2) = 2;
-	Shape inverse = shape;
 	FloatMesh m;
-	test_mesh::Fill(m, inverse);
+	test_mesh::Fill(m, shape);
 	ASSERT_NO_THROW(LabelMesh(m, Moved(AllRound(), 2, 0, 0), f, Raised(1)));
 	ExpectSameKind(shape, m);
 	EXPECT_GT(Volume(test_mesh::ToShape(m)), Volume(shape));
+}
+
+// A letter whose corner rises to a corner of something that stands on the axis, and so has no place in the unrolled plane.
+TEST(LabelWrap, TouchesWhatStandsOnTheAxis)
+{
+	Shape both = Pipe(2, 3, 6, 16, 2).moved([](Point3d p) {
+		for (int k = 0; k < 3; ++k) p[k] = std::abs(p[k]) < 1e-9 ? 0 : p[k];
+		return p;
+	});
+	const int first = int(both.points.size());
+	for (const Point3d& p : {Point3d(1, 0, 0), Point3d(-1, 0, 0), Point3d(0, 1, 0), Point3d(0, -1, 0), Point3d(0, 0, 1),
+	                         Point3d(0, 0, -1)})
+		both.add(p);
+	for (const std::array<int, 3>& f :
+	     {std::array<int, 3>{2, 4, 0}, {2, 0, 5}, {2, 5, 1}, {2, 1, 4}, {3, 0, 4}, {3, 5, 0}, {3, 1, 5}, {3, 4, 1}})
+		both.faces.push_back({f[0] + first, f[1] + first, f[2] + first});
+	LabelFrame f;
+	f.origin = {0, 0, -2};
+	f.wrapRadius = -2;
+	FloatMesh m;
+	test_mesh::Fill(m, both);
+	LabelResult result;
+	ASSERT_NO_THROW(result = LabelMesh(m, Letters({{{0, 0}, {0.6, 0}, {0.6, 0.5}, {0, 0.5}}}), f, Raised(1)));
+	EXPECT_GT(result.attempts, 1);  // shifted, until they are two points
+	ExpectSameKind(both, m);
+}
+
+// One facet of nearly half the way round: sunk, it would pass through the axis and meet what lies beyond.
+TEST(LabelWrap, SunkBeyondTheAxis)
+{
+	Shape s;
+	for (const Point3d& p : {Point3d(0, 1, 0.2), Point3d(-0.985, 0, 0.1736), Point3d(0.985, 0, 0.1736)}) s.add(p);
+	s.faces = {{0, 1, 2}};
+	const Error e = Refused(s, Letters({Rectangle(-0.3, 0.15, 0.3, 0.45)}), Round(1), -0.5);
+	EXPECT_CODE(e, BehindCamera);
+}
+
+// A void in the middle of a prism, nearer to the axis than anything that can be unrolled.
+TEST(LabelWrap, SinksRoundAVoid)
+{
+	for (const double z : {0.0008, 0.01}) {
+		const Point3d c(0, 0.1, z);
+		Shape hollow = test_mesh::Cylinder(1, 10, 3, 1).moved([](const Point3d& p) {
+			return Point3d(std::cos(M_PI) * p[0], p[1], std::cos(M_PI) * p[2]);  // a facet in front
+		});
+		const int first = int(hollow.points.size());
+		for (const Point3d& d : {Point3d(1, 1, 1), Point3d(-1, -1, 1), Point3d(-1, 1, -1), Point3d(1, -1, -1)})
+			hollow.add(c + d * 5e-5);
+		for (const std::array<int, 3>& f : {std::array<int, 3>{0, 1, 2}, {0, 3, 1}, {0, 2, 3}, {1, 3, 2}})
+			hollow.faces.push_back({f[0] + first, f[1] + first, f[2] + first});
+		test_mesh::DoubleMesh m;
+		test_mesh::Fill(m, hollow);
+		Error error(ErrorCode::OutOfMemory);
+		Refusal(m, Letters({Rectangle(-0.9, -1, 0.9, 1)}), Round(1), Raised(-0.9989), &error);
+		EXPECT_NE(error.code, ErrorCode::OutOfMemory) << z;
+	}
+}
+
+/// Of the faces of the letters, as the mesh has them.
+double TopArea(const test_mesh::DoubleMesh& m, const LabelResult& r)
+{
+	double area = 0;
+	for (const int f : r.topFaces) {
+		const auto& face = m.face[size_t(f)];
+		area += ((face.cP(1) - face.cP(0)) ^ (face.cP(2) - face.cP(0))).Norm() / 2;
+	}
+	return area;
+}
+
+// Further from the axis than the place, letters are wider; on a facet they are narrower at its ends and wider in its middle.
+TEST(LabelWrap, AreaAndStretchAreThoseOfTheSurface)
+{
+	const auto label = [](const Shape& shape, const Outline& outline, const LabelFrame& frame, double most) {
+		test_mesh::DoubleMesh m;
+		test_mesh::Fill(m, shape);
+		LabelOptions options;
+		options.maxStretch = most;
+		const LabelResult r = LabelMesh(m, outline, frame, options);
+		EXPECT_NEAR(r.surfaceArea, TopArea(m, r), 1e-6 * r.surfaceArea);
+		return r;
+	};
+	const Shape cone = test_mesh::Cylinder(1, 12, 64, 1).moved([](const Point3d& p) {
+		const double r = p[1] + 7;  // 1 where the label is anchored, 10 where it is
+		return Point3d(p[0] * r, p[1], p[2] * r);
+	});
+	LabelFrame frame = Round(1);
+	frame.origin[1] = -6;
+	const Outline square = Letters({Rectangle(-0.5, 9, 0.5, 10)});
+	const LabelResult wide = label(cone, square, frame, 20);
+	EXPECT_GT(wide.stretch, 10);
+	EXPECT_GT(wide.surfaceArea, 10 * wide.labelArea);
+	test_mesh::DoubleMesh m;
+	test_mesh::Fill(m, cone);
+	Error error(ErrorCode::OutOfMemory);
+	Refusal(m, square, frame, Raised(0), &error);
+	EXPECT_EQ(error.code, ErrorCode::Grazing);
+	for (const int sides : {3, 4, 6}) {
+		const LabelResult r =
+			label(test_mesh::Cylinder(10, 20, sides, 1), Letters({Rectangle(-4, -2, 4, 2)}), Round(), 8);
+		EXPECT_LT(r.surfaceArea, r.labelArea) << sides;
+	}
+}
+
+TEST(LabelWrap, BeyondAllNumbers)
+{
+	Shape s = test_mesh::Cylinder(radius, 20, 16, 4);
+	const int far = s.add({1.6e308, 0, 0}), high = s.add({0, 1, 0}), low = s.add({0, -1, 0});
+	s.faces.push_back({far, high, low});
+	test_mesh::DoubleMesh m;
+	test_mesh::Fill(m, s);
+	LabelFrame f = Round();
+	f.toWorld.ElementAt(0, 0) = 0.999999;
+	Error error(ErrorCode::OutOfMemory);
+	EXPECT_NO_THROW(Refusal(m, Letters({Rectangle(-3, -3, 3, 3)}), f, Raised(0.5), &error));
 }
 
 TEST(LabelWrap, BadFrames)

@@ -49,14 +49,9 @@ class Wrap(InFolder):
                 self.assertGreater(float(angles.max()), 70)
 
     def test_a_radius_that_is_given_means_it(self):
-        report = self.label(wrap_radius=23, up=(0, 0, 1), wrap=True)
-        self.assertEqual(report["wrap_radius"], 23)
-        implied = dict(RIM)
-        del implied["wrap"]
-        report = textlabel.label(VALVE, TEXT, self.output, wrap_radius=23, **implied)
-        self.assertEqual(report["wrap_radius"], 23)
-        report = textlabel.label(VALVE, "A", self.output, wrap_radius=23, **{**RIM, "wrap": False})
-        self.assertEqual(report["wrap_radius"], 0)
+        for wrap in (True, False):
+            report = self.label(wrap_radius=23, up=(0, 0, 1), wrap=wrap)
+            self.assertEqual(report["wrap_radius"], 23)
 
     def test_mistakes(self):
         self.refused("way round", text=TEXT + TEXT + TEXT)

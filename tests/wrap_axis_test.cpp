@@ -92,6 +92,23 @@ TEST(WrapAxis, SeenAslant)
 	ExpectUp(WrappedOn(shape, At(place, {0.2, 0.1, 1}, {1, 0.3, 0})), {1, 0, 0});  // read along the axis
 }
 
+// A single row of facets, as CAD programs write it: all that tells of the axis are the folds between them.
+TEST(WrapAxis, SingleRowsSeenAslant)
+{
+	for (const double slope : {0.0, 0.035, 0.18, 0.36, 1.0})  // of a cylinder, and of cones up to 45 degrees
+		for (const int sides : {24, 72, 360})
+			for (const double height : {4.0, 16.0}) {
+				const Shape shape = Turned({20 - slope * height / 2, 20 + slope * height / 2}, sides, height);
+				const double a = M_PI / sides, r = 20 * std::cos(a);  // in the middle of a facet
+				for (const double tilt : {-0.3, -0.1, 0.0, 0.2}) {
+					const Point3d towards(std::sin(a), tilt, std::cos(a)), place(r * std::sin(a), 0, r * std::cos(a));
+					const LabelFrame f = WrappedOn(shape, At(place, towards));
+					ExpectAxis(f, {0, 1, 0}, r);
+					ExpectUp(f, {0, 1, 0});
+				}
+			}
+}
+
 TEST(WrapAxis, InPerspective)
 {
 	LabelFrame frame = At({0, 0, 10}, {0.1, 0.1, 1});
@@ -209,7 +226,8 @@ TEST(WrapRequest, IsMadeAndReported)
 		EXPECT_EQ(report.after.nonManifoldEdges, 0);
 		EXPECT_NEAR(report.stretch, 1, 1e-6);
 		EXPECT_NE(ReportJson(report).find("\"wrap_radius\":"), std::string::npos);
-		EXPECT_NEAR(report.surfaceArea, report.labelArea, 0.01 * report.labelArea);
+		EXPECT_NEAR(report.surfaceArea, report.labelArea, 0.01 * report.labelArea);  // arcs and chords
+		EXPECT_LT(report.surfaceArea, 0.9999 * report.labelArea);
 	}
 	LabelRequest flat = Round();
 	flat.wrap = false;
@@ -236,6 +254,36 @@ TEST(WrapRequest, SizeLeftToTheFilter)
 		request.text = text;
 		EXPECT_GT(RunOnCylinder(request).size, 0.2) << text;
 	}
+}
+
+// A shift goes round the part; a width may be nearly all the way.
+TEST(WrapRequest, ShiftedRound)
+{
+	LabelRequest request = Round();
+	request.text = "A";
+	request.offsetU = 20;
+	request.offsetV = -3;
+	const LabelReport report = RunOnCylinder(request);
+	EXPECT_LT((report.view.anchor - Point3d(10 * std::sin(2.0), -3, 10 * std::cos(2.0))).Norm(), 1e-5);
+	EXPECT_LT((report.view.direction - Point3d(std::sin(2.0), 0, std::cos(2.0))).Norm(), 1e-6);
+	request = Round();
+	request.fitWidth = 58;
+	EXPECT_GT(RunOnCylinder(request).labelArea, 60);
+}
+
+// Inside a pipe a label is read from the axis, though the far wall lies between.
+TEST(WrapRequest, InsideAPipe)
+{
+	Shape pipe = Turned({10, 10, 10, 10}, 48, 8).joined(Turned({9, 9, 9, 9}, 48, 8));
+	for (size_t f = pipe.faces.size() / 2; f < pipe.faces.size(); ++f) std::swap(pipe.faces[f][1], pipe.faces[f][2]);
+	test_mesh::RichMesh m;
+	test_mesh::Fill(m, pipe);
+	const ServiceHost host;
+	ErrorContext context;
+	LabelJob<test_mesh::RichMesh> job(m, LabelFrame::Identity(), host, context);
+	LabelRequest request = Round();
+	request.position = {0, 0, -9};
+	EXPECT_NEAR(job.run(request).view.wrapRadius, -9, 1e-5);
 }
 
 TEST(WrapRequest, Rotated)

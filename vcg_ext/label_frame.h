@@ -17,6 +17,7 @@
 #include "vertex_point.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <vcg/math/matrix44.h>
@@ -82,7 +83,7 @@ public:
 	vcg::Point3d toLabel(const vcg::Point3d& mesh) const { return wraps() ? turned(unrolled(mesh)) : inFrame(mesh); }
 	/// Label space to mesh coordinates.
 	vcg::Point3d toMesh(const vcg::Point3d& label) const;
-	/// A vector (no point) of label space at a point of the mesh, in mesh coordinates.
+	/// A vector (no point) of label space at a point of the mesh, in mesh coordinates; the same everywhere unless it is wrapped.
 	vcg::Point3d vectorToMesh(const vcg::Point3d& atMesh, const vcg::Point3d& label) const;
 	/// Mesh coordinates to those along the frame's axes: label space where nothing is wrapped.
 	vcg::Point3d inFrame(const vcg::Point3d& mesh) const { return multiply(meshToLabel_, mesh - meshOrigin_); }
@@ -93,12 +94,18 @@ public:
 	/// Where a point lies on its way round the axis (an arc of the label's cylinder, up to half a circumference to both sides of the
 	/// middle), along the axis, and how far from that cylinder towards the viewer. @pre wraps()
 	vcg::Point3d unrolled(const vcg::Point3d& mesh) const;
-	/// @pre wraps()
-	double distanceFromAxis(const vcg::Point3d& mesh) const
+	/// How far from the axis a height of label space is. @pre wraps()
+	double distanceFromAxis(double z) const { return std::abs(radius_) + std::copysign(z, z * radius_); }
+	/// Whether what is straight between three unrolled points lies between them when it is unrolled: they are off the axis, and less
+	/// than half the way round apart. @pre wraps()
+	bool isInOnePiece(const std::array<vcg::Point3d, 3>& unrolled) const
 	{
-		const vcg::Point2d p = offAxis(inFrame(mesh));
-		return std::hypot(p[0], p[1]);
+		const auto [first, last] = std::minmax({unrolled[0][0], unrolled[1][0], unrolled[2][0]});
+		return last - first < circumference() / 2 && isInFront(unrolled[0]) && isInFront(unrolled[1]) &&
+		       isInFront(unrolled[2]);
 	}
+	/// Where the way round begins and ends, opposite to the middle. @pre wraps()
+	double cutAt(int side) const { return middle_ * radius_ + side * circumference() / 2; }
 	/// The box of a label as seen along the way round and along the axis. @pre wraps()
 	PlaneBox unrolledBox(const PlaneBox& box) const;
 	/// The way round of a point of label space. @pre wraps()
@@ -116,7 +123,7 @@ public:
 	/// True when q lies safely in front of the centre of projection; where it is wrapped, off the axis.
 	bool isInFront(const vcg::Point3d& q) const
 	{
-		return wraps() ? distanceAt(q[2]) > nearPlane * std::abs(radius_) : !perspective_ || q[2] < nearestZ_;
+		return wraps() ? distanceFromAxis(q[2]) > nearPlane * std::abs(radius_) : !perspective_ || q[2] < nearestZ_;
 	}
 
 	/// Size of the projection over size in space, for what lies at q and faces the viewer; also the weight of a vertex
@@ -141,8 +148,6 @@ private:
 	using Rows = vcg::Point3d[3];
 	static constexpr double nearPlane = 1e-3;  // of the distance from C, or the axis, to the label plane
 	static constexpr double pi = 3.141592653589793;
-	/// From the axis, at a height of label space.
-	double distanceAt(double z) const { return std::abs(radius_) + std::copysign(z, z * radius_); }
 	/// From the axis across it, and towards the middle of the frame, of a point along the frame's axes. @pre wraps()
 	vcg::Point2d offAxis(const vcg::Point3d& q) const
 	{
@@ -179,7 +184,7 @@ inline vcg::Point3d LabelSpace::toMesh(const vcg::Point3d& label) const
 {
 	vcg::Point3d q = label;
 	if (wraps()) {
-		const double angle = wayRound(label) / radius_, distance = std::copysign(distanceAt(label[2]), radius_);
+		const double angle = wayRound(label) / radius_, distance = std::copysign(distanceFromAxis(label[2]), radius_);
 		const double axial = across_[0] * label[1] - across_[1] * label[0];
 		q = turned({distance * std::sin(angle), axial, distance * std::cos(angle) - radius_});
 	}

@@ -330,7 +330,8 @@ inline void LabelPlanner::measureSurface(LabelPlan& plan) const
 		const double longest =
 			std::sqrt(std::max({(b - a).SquaredNorm(), (c - b).SquaredNorm(), (a - c).SquaredNorm()}));
 		if (normal.Norm() <= 2 * snap_ * longest) continue;  // thinner than the resolution: its normal says nothing
-		const double stretch = StretchOf(space_, middle, normal);
+		const double stretch =
+			space_.wraps() ? StretchOver(space_, sheet_, sheet_.triangles[t]) : StretchOf(space_, middle, normal);
 		if (stretch > std::max(plan.stretch, options_.maxStretch))
 			steepest.atFace(sheet_.triangles[t].face)
 				.atPlace(space_.toMesh(middle))
@@ -338,10 +339,13 @@ inline void LabelPlanner::measureSurface(LabelPlan& plan) const
 		plan.stretch = std::max(plan.stretch, stretch);
 	}
 	if (steepest.hasPlace) throw steepest;
+	const auto unbent = [&](int point) {  // world units, along the axes of the frame
+		const SheetPoint& p = plan.cut.points.at(sheet_, point);
+		return space_.wraps() ? space_.inFrame(p.mesh) : p.label;
+	};
 	for (const IndexTriangle& t : detail::InsideTriangles(sheet_, plan.cut)) {
-		const vcg::Point3d& a = plan.cut.points.at(sheet_, t[0]).label;
-		plan.surfaceArea +=
-			((plan.cut.points.at(sheet_, t[1]).label - a) ^ (plan.cut.points.at(sheet_, t[2]).label - a)).Norm() / 2;
+		const vcg::Point3d a = unbent(t[0]);
+		plan.surfaceArea += ((unbent(t[1]) - a) ^ (unbent(t[2]) - a)).Norm() / 2;
 	}
 }
 

@@ -10,8 +10,8 @@
 namespace vcg::textlabel {
 
 enum class ExtrudeAlong {
-	Viewpoint,     ///< along each ray, towards or away from C (the paper); along -w in parallel projection
-	LabelNormal,   ///< along the label's w
+	Viewpoint,  ///< along each ray, towards or away from C (the paper); along -w in parallel projection, from the axis if wrapped
+	LabelNormal,   ///< along the label's w; if wrapped, as Viewpoint
 	SurfaceNormal  ///< along the surface's normal, smoothed over the letter
 };
 
@@ -157,7 +157,11 @@ inline LabelPatch RaiseLabel(const LabelSpace& space, const Sheet& sheet, const 
 			const vcg::Point3d direction = along == ExtrudeAlong::Viewpoint     ? space.towardsViewer(p.label)
 			                               : along == ExtrudeAlong::LabelNormal ? vcg::Point3d(0, 0, 1)
 			                                                                    : normal[size_t(i)];
-			if (!space.isInFront(p.label + direction * height))
+			bool isInFront = space.isInFront(p.label + direction * height);
+			for (const int v :
+			     cut.points.mixtureOf(sheet, i).parent)  // wrapped, a whole triangle goes with its corners
+				if (space.wraps()) isInFront &= space.isInFront(sheet.vertices[size_t(v)].label + direction * height);
+			if (!isInFront)
 				throw Error(ErrorCode::BehindCamera, "the label would rise to the centre of projection")
 					.atPlace(p.mesh)
 					.measured(height, 0);

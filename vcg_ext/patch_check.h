@@ -5,7 +5,8 @@
 // itself or by the STL file it is saved to, where equal points are one point. So the check is made on rounded coordinates:
 //  - no two vertices fall together and no face becomes a line;
 //  - every piece of a cut triangle still faces its viewer: seen from there the patch is a triangulation with an unchanged border
-//    and only counter-clockwise triangles, which can't overlap itself;
+//    and only counter-clockwise triangles, which can't overlap itself; a wrapped label's pieces keep to the side of their triangle;
+//  - a wrapped label's faces are less than half the way round and off the axis: what they could meet is among the candidates;
 //  - no new face meets another face, new or old, in more than what they share: exact, among the candidates, for all faces that
 //    could at all (patch_suspects.h).
 // What the input had wrong before (a part that crosses itself elsewhere under the label) is not held against the patch.
@@ -206,34 +207,38 @@ private:
 	}
 	/// Where a face lies round the axis, along it and off it: in space the boxes of all that runs along a slanting axis meet.
 	/// @pre space_.wraps()
-	SearchBox unrolledBox(int number) const
+	SearchBox boxRoundAxis(int number) const
 	{
 		const Corners c = corners(number);
-		vcg::Box3d box;
-		double reach = 0, nearest = std::numeric_limits<double>::infinity();  // from the axis
-		for (const vcg::Point3d& p : c) {
-			box.Add(space_.unrolled(p));
-			nearest = std::min(nearest, space_.distanceFromAxis(p));
-			reach = std::max({reach, std::abs(p[0]), std::abs(p[1]), std::abs(p[2])});
+		const std::array<vcg::Point3d, 3> at = {space_.unrolled(c[0]), space_.unrolled(c[1]), space_.unrolled(c[2])};
+		SearchBox box, nowhere;
+		double reach = 0, nearest = std::numeric_limits<double>::infinity();  // of the coordinates; to the axis
+		for (size_t k = 0; k < 3; ++k) {
+			for (size_t i = 0; i < 3; ++i) {
+				box.low[i] = std::min(box.low[i], at[k][int(i)]);
+				box.high[i] = std::max(box.high[i], at[k][int(i)]);
+				reach = std::max(reach, std::abs(c[k][int(i)]));
+			}
+			nearest = std::min(nearest, space_.distanceFromAxis(at[k][2]));
 		}
-		const double all = space_.circumference(), arc = box.DimX() / all;  // of the way round
-		const bool isTorn = number >= firstStraddling() || !(arc < 0.5);
-		if (isTorn) {
-			const double middle = box.Center()[0];
-			box.min[0] = middle - all;
-			box.max[0] = middle + all;
+		// between its corners a face comes nearer to the axis, but not by more than the chord of its arc does
+		const double half = (box.high[0] - box.low[0]) / space_.circumference() * std::acos(-1.0);
+		const double slack = rounding * (reach * space_.scale() + space_.circumference());
+		const bool isAtCut = box.low[0] <= space_.cutAt(-1) + slack || box.high[0] >= space_.cutAt(1) - slack;
+		const bool isWhole = number < firstStraddling() && space_.isInOnePiece(at);
+		const double nearer = isWhole ? nearest * (1 - std::cos(half)) : nearest;
+		if (!isWhole || isAtCut) {
+			box.low[0] = 2 * space_.cutAt(-1) - space_.cutAt(1);
+			box.high[0] = 2 * space_.cutAt(1) - space_.cutAt(-1);
 		}
-		// between its corners a face comes nearer to the axis, by no more than the chord of its arc does
-		const double nearer = isTorn ? nearest : nearest * (1 - std::cos(arc * std::acos(-1.0)));
-		box.min[2] -= nearer;
-		box.max[2] += nearer;
-		const double slack = rounding * (reach * space_.scale() + all);
-		SearchBox out;
-		for (int k = 0; k < 3; ++k) {
-			out.low[size_t(k)] = box.min[k] - slack;
-			out.high[size_t(k)] = box.max[k] + slack;
+		box.low[2] -= nearer;
+		box.high[2] += nearer;
+		for (size_t k = 0; k < 3; ++k) {
+			box.low[k] -= slack;
+			box.high[k] += slack;
+			if (!std::isfinite(box.high[k] - box.low[k])) return nowhere;  // beyond the domain of the predicates
 		}
-		return out;
+		return box;
 	}
 	bool isOnSurface(int face) const { return patch_.faces[size_t(face)].kind == FaceKind::Outside || patch_.isFlat; }
 	/// Two pieces of the surface that crossed before they were cut are not the label's fault.
@@ -261,7 +266,8 @@ private:
 		options.ignore = [&](int first, int second, bool isOther) {
 			return crossedBefore(mine[size_t(first)], numberOf(second, isOther));
 		};
-		if (space_.wraps()) options.boxOf = [&](int face, bool isOther) { return unrolledBox(numberOf(face, isOther)); };
+		if (space_.wraps())
+			options.boxOf = [&](int face, bool isOther) { return boxRoundAxis(numberOf(face, isOther)); };
 		for (const FacePair& pair : FindCrossings(myCorners, otherCorners, options))
 			return verdict(mine[size_t(pair.first)], numberOf(pair.second, pair.secondIsOther));
 		return {};
@@ -304,6 +310,8 @@ inline PatchVerdict CheckPatch(const LabelSpace& space, const Sheet& sheet, cons
 		const PatchFace& f = patch.faces[i];
 		const Corners c = detail::CornersOf(position, f.vertex);
 		if (IsCollinear(c)) return {PatchFault::Collapsed, c[0]};
+		if (space.wraps() && !space.isInOnePiece({space.unrolled(c[0]), space.unrolled(c[1]), space.unrolled(c[2])}))
+			return {PatchFault::CrossesSelf, c[0]};
 		if (f.kind != FaceKind::Wall && !detail::KeepsOrientation(space, sheet, f, c))
 			return {f.kind == FaceKind::Top && !patch.isFlat ? PatchFault::Folded : PatchFault::Collapsed, c[0]};
 	}

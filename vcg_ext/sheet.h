@@ -68,12 +68,14 @@ inline ErrorCode CodeOfEdge(int twin)
 struct StraddlingTriangle {
 	std::array<vcg::Point3d, 3> mesh, label;  ///< corners in mesh coordinates and in label space
 	std::array<int, 3> vertex;                ///< indices in the mesh
+	std::array<int, 3> inSheet{};             ///< indices into Sheet::vertices
 	int face = -1;                            ///< index in the mesh
 };
 
 /// The candidates of a label. Half-edge h = 3 t + k.
 struct Sheet {
-	std::vector<SheetVertex> vertices;
+	std::vector<SheetVertex>
+		vertices;  ///< of the candidates and, where they have no place in the plane, of straddling triangles
 	std::vector<SheetTriangle> triangles;
 	std::vector<int> twin;                    ///< #T*3: the half-edge on the other side, or a HalfEdgeKind
 	std::vector<int> vertexStart, vertexFan;  ///< CSR: candidates around each vertex
@@ -265,14 +267,14 @@ template <class MeshType>
 Wrapping WrappingOf(const MeshType& m, const LabelSpace& space, const PlaneBox& unrolledBox,
                     const std::array<int, 3>& v)
 {
-	const double all = space.circumference();
-	std::array<double, 3> at;
-	for (size_t k = 0; k < 3; ++k) at[k] = space.unrolled(PointOf(m.vert[size_t(v[k])]))[0];
-	std::sort(at.begin(), at.end());
-	if (at[2] - at[0] < all / 2) return Wrapping::Whole;
+	std::array<vcg::Point3d, 3> corner;
+	for (size_t k = 0; k < 3; ++k) corner[k] = space.unrolled(PointOf(m.vert[size_t(v[k])]));
+	if (space.isInOnePiece(corner)) return Wrapping::Whole;
 	// the widest gap between two corners is where it is not; it must be more than half of the way
+	std::array<double, 3> at = {corner[0][0], corner[1][0], corner[2][0]};
+	std::sort(at.begin(), at.end());
 	const double first = at[1] - at[0], second = at[2] - at[1];
-	if (std::max(first, second) <= all / 2) return Wrapping::Torn;
+	if (std::max(first, second) <= space.circumference() / 2) return Wrapping::Torn;
 	const double before = first > second ? at[0] : at[1], after = first > second ? at[1] : at[2];
 	return before < unrolledBox.low[0] && after > unrolledBox.high[0] ? Wrapping::Beyond : Wrapping::Torn;
 }
@@ -318,10 +320,8 @@ FoundTriangles FindTriangles(const MeshType& m, const LabelSpace& space, const P
 		}
 		found.isEmpty = found.isEmpty && !(isFinite(a) && isFinite(b) && isFinite(c));
 		if ((a | b | c) & Unusable) {
-			const bool isMet =
-				space.wraps() || !(a & b & c & BehindCamera);  // what is on the axis may be met from all sides
-			if (((a | b | c) & BehindCamera) && isMet && isFinite(a) && isFinite(b) && isFinite(c))
-				found.straddling.push_back(int(f));
+			const bool isMet = space.wraps() || !(a & b & c & BehindCamera);  // the axis is met from all sides
+			if (((a | b | c) & BehindCamera) && isMet) found.straddling.push_back(int(f));
 			continue;
 		}
 		if (i == j || j == k || k == i) continue;  // a line: its edges pair with each other
@@ -337,7 +337,7 @@ FoundTriangles FindTriangles(const MeshType& m, const LabelSpace& space, const P
 	return found;
 }
 
-/// One pass over the faces: the candidates, with their mesh indices as corners; marks these as Used.
+/// One pass over the faces: the candidates, with their mesh indices as corners; marks these as Used, and those of straddling triangles.
 template <class MeshType>
 void CollectTriangles(const MeshType& m, const LabelSpace& space, double depth, std::vector<std::uint8_t>& code,
                       Sheet& sheet)
@@ -365,7 +365,9 @@ void CollectTriangles(const MeshType& m, const LabelSpace& space, double depth, 
 				s.mesh[k] = PointOf(m.vert[size_t(s.vertex[k])]);
 				s.label[k] = space.toLabel(s.mesh[k]);
 			}
-			if (IsFinite(s.label[0]) && IsFinite(s.label[1]) && IsFinite(s.label[2])) sheet.straddling.push_back(s);
+			if (!IsFinite(s.label[0]) || !IsFinite(s.label[1]) || !IsFinite(s.label[2])) continue;
+			sheet.straddling.push_back(s);
+			for (const int v : s.vertex) code[size_t(v)] |= Used;
 		}
 		for (const FoundTriangle& t : part.triangles) {
 			if (!isCandidate(t)) {
@@ -385,7 +387,7 @@ inline int CountUsed(CodeBlock codes)
 	return int((((codes / Used) & ones) * ones) >> (8 * (kCodeBlock - 1)));
 }
 
-/// The vertices of the candidates, numbered anew in the order of the mesh.
+/// The vertices of the candidates and of straddling triangles, numbered anew in the order of the mesh.
 template <class MeshType>
 void CollectVertices(const MeshType& m, const LabelSpace& space, const std::vector<std::uint8_t>& code, Sheet& sheet)
 {
@@ -410,12 +412,17 @@ void CollectVertices(const MeshType& m, const LabelSpace& space, const std::vect
 			for (int k = 0; k < 3; ++k) sheet.largestCoordinate = std::max(sheet.largestCoordinate, std::abs(p[k]));
 		}
 	}
+	const auto renumber = [&](int& v) {
+		const size_t index = size_t(v), first = index / kCodeBlock * kCodeBlock;
+		v = before[index / kCodeBlock];
+		for (size_t i = first; i < index; ++i) v += code[i] / Used;
+	};
 	for (SheetTriangle& t : sheet.triangles)
-		for (int& v : t.vertex) {
-			const size_t index = size_t(v), first = index / kCodeBlock * kCodeBlock;
-			v = before[index / kCodeBlock];
-			for (size_t i = first; i < index; ++i) v += code[i] / Used;
-		}
+		for (int& v : t.vertex) renumber(v);
+	for (StraddlingTriangle& t : sheet.straddling) {
+		t.inSheet = t.vertex;
+		for (int& v : t.inSheet) renumber(v);
+	}
 }
 
 }  // namespace detail

@@ -9,8 +9,8 @@
 // The volume has a closed boundary: the letters' surface as it was, the walls and the tops. Nothing crosses walls and tops, or
 // CheckPatch had found it; nothing crosses the surface under the letters, or it would hide them. So a connected piece of what stays
 // is wholly inside or wholly outside, and the parity of crossings on the way from one of its vertices to a far point tells which.
-// The piece need not be whole: triangles that are no candidates are seen beside the box that holds all the patch reaches, hence
-// outside the volume, and then so is all that hangs on them, the piece among the candidates included.
+// The piece need not be whole: triangles that are neither candidates nor straddling are seen beside the box that holds all the patch
+// reaches, hence outside the volume, and then so is all that hangs on them, the piece among the candidates included.
 
 #include "patch_check.h"
 
@@ -112,12 +112,15 @@ public:
 		for (const int t : patch.removed)
 			for (const int v : sheet.triangles[size_t(t)].vertex)
 				if (shell_[size_t(v)] == Unseen) shell_[size_t(v)] = OfPatch;
+		for (size_t t = 0; t < sheet.straddling.size(); ++t)
+			for (const int v : sheet.straddling[t].inSheet) straddling_.emplace_back(v, t);
+		std::sort(straddling_.begin(), straddling_.end());
 	}
 	PatchVerdict run()
 	{
 		for (size_t v = 0; v < shell_.size(); ++v)
 			if (shell_[v] == Unseen && collect(int(v)) && isInside())
-				return {PatchFault::CrossesPart, position_[v], sheet_.triangles[size_t(face_)].face};
+				return {PatchFault::CrossesPart, position_[v], face_};
 		return {};
 	}
 
@@ -133,20 +136,30 @@ private:
 		for (size_t i = 0; i < member_.size(); ++i) {
 			const size_t v = size_t(member_[i]);
 			for (int f = sheet_.vertexStart[v]; f < sheet_.vertexStart[v + 1]; ++f) {
-				const int t = sheet_.vertexFan[size_t(f)];
-				const auto& corners = sheet_.triangles[size_t(t)].vertex;
-				if (IsCollinear(CornersOf(position_, corners))) continue;  // may reach through a wall: Contact::NoArea
-				if (face_ < 0) face_ = t;
-				for (const int w : corners) {
-					int& mark = shell_[size_t(w)];
-					if (mark == Away || (mark > Unseen && mark != shells_)) return false;
-					if (mark != Unseen) continue;
-					mark = shells_;
-					member_.push_back(w);
-				}
+				const SheetTriangle& t = sheet_.triangles[size_t(sheet_.vertexFan[size_t(f)])];
+				if (!add(t.vertex, t.face)) return false;
+			}
+			for (auto s = std::lower_bound(straddling_.begin(), straddling_.end(), std::make_pair(int(v), size_t(0)));
+			     s != straddling_.end() && s->first == int(v); ++s) {
+				const StraddlingTriangle& t = sheet_.straddling[s->second];
+				if (!add(t.inSheet, t.face)) return false;
 			}
 		}
 		return face_ >= 0;
+	}
+	/// A triangle of the shell at hand. @return false when it leaves the box
+	bool add(const IndexTriangle& corners, int face)
+	{
+		if (IsCollinear(CornersOf(position_, corners))) return true;  // may reach through a wall: Contact::NoArea
+		if (face_ < 0) face_ = face;
+		for (const int w : corners) {
+			int& mark = shell_[size_t(w)];
+			if (mark == Away || (mark > Unseen && mark != shells_)) return false;
+			if (mark != Unseen) continue;
+			mark = shells_;
+			member_.push_back(w);
+		}
+		return true;
 	}
 	/// Of the shell collected last: the first vertex that is not on the boundary tells.
 	bool isInside() const
@@ -163,7 +176,8 @@ private:
 	const SweptVolume volume_;
 	std::vector<int> shell_;  ///< #Sheet::vertices: a Mark, or the shell it belongs to
 	std::vector<int> member_;
-	int shells_ = 0, face_ = -1;
+	std::vector<std::pair<int, size_t>> straddling_;  ///< (vertex, index into Sheet::straddling), sorted
+	int shells_ = 0, face_ = -1;                      ///< how many; a face of the mesh that belongs to the last
 };
 
 }  // namespace detail

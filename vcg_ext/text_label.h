@@ -33,7 +33,7 @@ struct LabelResult {
 	vcg::Box3d
 		movedFrom;  ///< where old vertices were that moved with the letters; mesh coordinates, null when none did
 	vcg::Box3d newPlaces;   ///< where these and the new vertices are now; mesh coordinates
-	double resolution = 0;  ///< world units: no point of a contour was moved by more
+	double resolution = 0;  ///< world units, in the label plane: no point of a contour was moved by more
 	double coordinateStep =
 		0;             ///< world units: between coordinates, where they are largest; what the label was checked on
 	int attempts = 1;  ///< placements tried within the resolution
@@ -92,14 +92,10 @@ inline vcg::Point2d MiddleOf(const Outline& outline)
 	return std::isfinite(middle[0] + middle[1]) ? middle : vcg::Point2d(0, 0);
 }
 
-/// A wrapped label must leave room for the cut opposite to it.
-/// @throws Error{TooLong}
-inline void RequireWayRound(const LabelSpace& space, const PlaneBox& box)
+/// Whether a box leaves room for the cut opposite to a wrapped label.
+inline bool LeavesCut(const LabelSpace& space, const PlaneBox& box)
 {
-	if (!space.wraps()) return;
-	const double length = space.unrolledBox(box).width();
-	if (!(length < space.circumference()))
-		throw Error(ErrorCode::TooLong, "longer than the way round the axis").measured(length, space.circumference());
+	return !space.wraps() || space.unrolledBox(box).width() < space.circumference();
 }
 
 /// The volume between two sets of faces with the same border, about one of their points.
@@ -176,7 +172,9 @@ PlannedLabel PlanInBox(const MeshType& m, const LabelSpace& space, const Outline
 	PlannedLabel p;
 	p.survivesFloat32 = precision.isFloat;
 	for (;;) {
-		RequireWayRound(space, box.plane);
+		if (!LeavesCut(space, box.plane))
+			throw Error(ErrorCode::TooLong, "longer than the way round the axis")
+				.measured(space.unrolledBox(box.plane).width(), space.circumference());
 		const bool isDeep =
 			seesAll || space.wraps();  // where lines are bent, corners don't tell how deep a triangle is
 		const double depth = isDeep ? std::numeric_limits<double>::infinity() : std::abs(options.height) + 2 * box.room;
@@ -198,6 +196,7 @@ PlannedLabel PlanInBox(const MeshType& m, const LabelSpace& space, const Outline
 		if (!mayBeCap || box.isForCaps || !(p.sheet.capReach > 0)) throw;
 		constexpr double more = 1.001;  // so that what is asked for is not on the border
 		box.plane.grow(more * p.sheet.capReach);
+		if (!LeavesCut(space, box.plane)) throw;
 		box.isForCaps = true;
 		return PlanInBox(m, space, outline, box, options, seesAll, precision);
 	}
@@ -258,7 +257,8 @@ PlannedLabel PlanOnMesh(const MeshType& m, const LabelSpace& space, const Outlin
 {
 	constexpr double margin = 1e-3;  // of the box: room for shifts and rounding
 	PlanBox box{CheckedBox(outline)};
-	const bool straightUp = options.along == ExtrudeAlong::Viewpoint;
+	const bool straightUp =
+		options.along == ExtrudeAlong::Viewpoint || (space.wraps() && options.along == ExtrudeAlong::LabelNormal);
 	const bool staysInSight = (straightUp || !space.perspective()) && !space.wraps();
 	box.grow((box.plane.width() + box.plane.height()) * margin);
 	if (!straightUp) box.plane.grow(std::abs(options.height));

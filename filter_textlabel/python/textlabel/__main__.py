@@ -108,7 +108,7 @@ def _add_parameters(parser):
     for flag, name, text in FLAGS:
         group.add_argument(flag, dest=f"set_{name}", metavar=name.upper(), help=text)
     group.add_argument(
-        "--wrap", dest="set_wrap", action="store_const", const="true", help="with --at: round the part, as on a bottle or a ring"
+        "--wrap", dest="set_wrap", action="store_const", const="true", help="with --at or a camera: round the part, as on a bottle or a ring"
     )
     group.add_argument("--set", action="append", default=[], metavar="NAME=VALUE", help="any parameter of the filter")
 

@@ -146,8 +146,6 @@ def check_values(values):
         checked.setdefault("placement", CHOICES["placement"].index("Point and direction"))
     if "color" in checked:
         checked.setdefault("tint", True)
-    if "wrap_radius" in checked:
-        checked.setdefault("wrap", True)
     return checked
 
 
