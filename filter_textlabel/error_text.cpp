@@ -284,7 +284,7 @@ std::string ErrorText(const RequestError& error)
 		       invertFaces + " first. Or, if they are not, look from another direction.";
 	case RequestProblem::WrapNeedsPlace:
 		return "A label that is wrapped needs a place: give a position and a direction (placement Point and "
-		       "direction), "
+			   "direction), "
 			   "or a view.";
 	case RequestProblem::NoAxis:
 		return "The surface at the place bends round no axis that can be measured. Move the place to where the part is "

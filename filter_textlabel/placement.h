@@ -35,7 +35,7 @@ struct PartProbe {
 	vcg::Box3d box;                                                       ///< world coordinates, not null
 	std::function<std::vector<SurfaceHit>(const SightLine&)> hitsOnLine;  ///< see surface_line.h
 	std::function<PartGeometry()> geometry;
-	SurfaceAround surfaceAround;
+	SurfaceAround surfaceAround = nullptr;  ///< asked for wrapped labels only
 };
 
 /// A request's text at any size; the last outline is kept.

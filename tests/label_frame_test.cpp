@@ -107,7 +107,9 @@ TEST(LabelSpace, AgreesWithTheMatrixWrittenOut)
 			const Point3d d = world - f.origin, expected(f.u * d, f.v * d, f.w * d), q = space.toLabel(p);
 			EXPECT_NEAR((q - expected).Norm(), 0, 1e-12);
 			EXPECT_NEAR((space.toMesh(q) - p).Norm(), 0, 1e-12);
-			EXPECT_NEAR((space.vectorToMesh(q) - (space.toMesh(q) - space.toMesh({0, 0, 0}))).Norm(), 0, 1e-12);
+			EXPECT_NEAR(
+				(space.vectorToMesh(space.toMesh({0, 0, 0}), q) - (space.toMesh(q) - space.toMesh({0, 0, 0}))).Norm(),
+				0, 1e-12);
 		}
 	}
 }

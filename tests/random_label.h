@@ -509,8 +509,8 @@ inline LabelCase MakeLabelOnTurnedPart(Random& random)
 	c.height = scale * random.pick({0.0, 0.05, -0.05, 0.02, -0.02, random.real(-0.3, 0.3)});
 	c.along = ExtrudeAlong(random.below(3));
 	// three facets: the one over the cut, and half of one at each end
-	const bool fits = 2 * length < room * (1 - 3.0 / part.around) && std::abs(c.height) <= 0.02 * scale;
-	c.mustWork = !isSpoiled && isTrue && isRound && fits && part.around >= 24 &&
+	const bool fits = 2 * length < room * (1 - 3.0 / part.around) && std::abs(c.height) <= 0.05 * scale;
+	c.mustWork = !isSpoiled && isTrue && isRound && fits && part.around >= 12 &&
 	             c.along != ExtrudeAlong::SurfaceNormal && AreStrokesCarried(c);
 	return c;
 }
