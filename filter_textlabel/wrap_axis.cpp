@@ -60,8 +60,7 @@ public:
 			mixed_ += e.area * n * turn.transpose();
 			area += e.area;
 		}
-		constexpr double free =
-			1e-8;  // radians squared: a move along which no normal looks costs nothing, and helps nothing
+		constexpr double free = 1e-8;  // radians squared: no normal looks along such a move, so it helps nothing
 		const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> costs(moves / area);
 		for (int i = 0; i < 3; ++i) {
 			const Eigen::Vector3d along = costs.eigenvectors().col(i);

@@ -11,7 +11,7 @@
 
 #include "fuzz_label_judge.h"
 #include "fuzz_label_reduce.h"
-#include "random_label.h"
+#include "random_wrapped_label.h"
 
 #include <chrono>
 #include <cstdio>

@@ -1,7 +1,7 @@
 // Whole labels, judged: every case that once failed, by name, and a short random run. The long run is label_fuzz.
 
 #include "fuzz_label_judge.h"
-#include "random_label.h"
+#include "random_wrapped_label.h"
 
 #include <algorithm>
 #include <filesystem>

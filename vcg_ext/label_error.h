@@ -26,10 +26,9 @@ enum class ErrorCode {
 	Silhouette,   ///< the label runs over the horizon of the part as seen from the viewpoint
 	NonManifold,  ///< an edge of three or more faces, or two faces of opposite orientation, lies under the label
 	Occluded,     ///< another surface hides a piece of the label from the viewer
-	BehindCamera,  ///< the surface under the label reaches behind the centre of projection, or the label raised by `value` does;
-				   ///< of a wrapped label: to the axis, or over the cut opposite to the label
-	TooLong,  ///< wrapped, and longer than the way round the axis: `value` with its margins, `limit` the way
-	Grazing,  ///< too steep to the view: `value` is the stretch, infinite from behind; `limit` the largest allowed
+	BehindCamera,  ///< the surface, or the label raised by `value`, reaches behind C; wrapped: to the axis or over the cut
+	TooLong,       ///< wrapped, and longer than the way round the axis: `value` with its margins, `limit` the way
+	Grazing,       ///< too steep to the view: `value` is the stretch, infinite from behind; `limit` the largest allowed
 	// the result
 	TooFine,  ///< finer than the coordinates carry: `value` the finest detail, 0: one with the mesh's own; `limit` needed
 	HitsSurface,  ///< the raised or sunk label meets another part of the surface: `limit` is the depth that fits

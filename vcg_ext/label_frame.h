@@ -34,8 +34,7 @@ struct LabelFrame {
 	vcg::Point3d w{0, 0, 1};       ///< u x v, towards the viewer
 	bool perspective = false;      ///< false: parallel projection along -w
 	vcg::Point3d center{0, 0, 0};  ///< centre of projection C, when perspective
-	double wrapRadius =
-		0;  ///< not 0: wrapped round an axis so far behind the origin, before it when negative (inside a pipe)
+	double wrapRadius = 0;  ///< not 0: wrapped round an axis so far behind the origin; < 0: before it, as in a pipe
 	vcg::Point3d wrapAxis{0, 1, 0};       ///< its direction, unit, perpendicular to w; meaningful when wrapped
 	vcg::Matrix44d toWorld = Identity();  ///< the layer's matrix, mesh to world; affine, may mirror
 
@@ -110,6 +109,8 @@ public:
 	PlaneBox unrolledBox(const PlaneBox& box) const;
 	/// The way round of a point of label space. @pre wraps()
 	double wayRound(const vcg::Point3d& q) const { return across_[0] * q[0] + across_[1] * q[1]; }
+	/// Where along the axis it lies. @pre wraps()
+	double alongAxis(const vcg::Point3d& q) const { return across_[0] * q[1] - across_[1] * q[0]; }
 
 	bool perspective() const { return perspective_; }
 	/// Centre of projection in label space; meaningful when perspective().
@@ -176,7 +177,7 @@ inline vcg::Point3d LabelSpace::unrolled(const vcg::Point3d& mesh) const
 	const vcg::Point2d p = offAxis(q);
 	const double angle =
 		std::atan2(p[0] * middleCosine_ - p[1] * middleSine_, p[0] * middleSine_ + p[1] * middleCosine_);
-	return {(angle + middle_) * radius_, across_[0] * q[1] - across_[1] * q[0],
+	return {(angle + middle_) * radius_, alongAxis(q),
 	        std::copysign(1.0, radius_) * (std::hypot(p[0], p[1]) - std::abs(radius_))};
 }
 
@@ -185,8 +186,7 @@ inline vcg::Point3d LabelSpace::toMesh(const vcg::Point3d& label) const
 	vcg::Point3d q = label;
 	if (wraps()) {
 		const double angle = wayRound(label) / radius_, distance = std::copysign(distanceFromAxis(label[2]), radius_);
-		const double axial = across_[0] * label[1] - across_[1] * label[0];
-		q = turned({distance * std::sin(angle), axial, distance * std::cos(angle) - radius_});
+		q = turned({distance * std::sin(angle), alongAxis(label), distance * std::cos(angle) - radius_});
 	}
 	return multiply(labelToMesh_, q) + meshOrigin_;
 }
@@ -198,8 +198,8 @@ inline vcg::Point3d LabelSpace::vectorToMesh(const vcg::Point3d& atMesh, const v
 		const vcg::Point2d p = offAxis(inFrame(atMesh));
 		const double distance = std::hypot(p[0], p[1]), sine = distance > 0 ? p[0] / distance : 0,
 					 cosine = distance > 0 ? p[1] / distance : 1;
-		const double along = wayRound(label), axial = across_[0] * label[1] - across_[1] * label[0];
-		d = turned({along * cosine + label[2] * sine, axial, label[2] * cosine - along * sine});
+		const double along = wayRound(label);
+		d = turned({along * cosine + label[2] * sine, alongAxis(label), label[2] * cosine - along * sine});
 	}
 	return multiply(labelToMesh_, d);
 }
@@ -208,8 +208,7 @@ inline PlaneBox LabelSpace::unrolledBox(const PlaneBox& box) const
 {
 	PlaneBox out;
 	for (const double x : {box.low[0], box.high[0]})
-		for (const double y : {box.low[1], box.high[1]})
-			out.add({across_[0] * x + across_[1] * y, across_[0] * y - across_[1] * x});
+		for (const double y : {box.low[1], box.high[1]}) out.add({wayRound({x, y, 0}), alongAxis({x, y, 0})});
 	return out;
 }
 

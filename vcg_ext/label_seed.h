@@ -60,9 +60,7 @@ inline void HitSeed(const LabelSpace& space, const Sheet& sheet, int triangle, c
 /// Whether a triangle that can't be unrolled crosses the axis, or the cut opposite to the label, at the height of p.
 inline bool IsBesideTorn(const LabelSpace& space, const Sheet& sheet, const vcg::Point2d& p)
 {
-	PlaneBox at;
-	at.add(p);
-	const double height = space.unrolledBox(at).low[1];
+	const double height = space.alongAxis({p[0], p[1], 0});
 	return std::any_of(sheet.straddling.begin(), sheet.straddling.end(), [&](const StraddlingTriangle& t) {
 		const auto z = [&](size_t k) { return space.unrolled(t.mesh[k])[1]; };
 		const auto [low, high] = std::minmax({z(0), z(1), z(2)});

@@ -74,8 +74,7 @@ struct StraddlingTriangle {
 
 /// The candidates of a label. Half-edge h = 3 t + k.
 struct Sheet {
-	std::vector<SheetVertex>
-		vertices;  ///< of the candidates and, where they have no place in the plane, of straddling triangles
+	std::vector<SheetVertex> vertices;  ///< of candidates and of straddling triangles
 	std::vector<SheetTriangle> triangles;
 	std::vector<int> twin;                    ///< #T*3: the half-edge on the other side, or a HalfEdgeKind
 	std::vector<int> vertexStart, vertexFan;  ///< CSR: candidates around each vertex

@@ -175,8 +175,7 @@ PlannedLabel PlanInBox(const MeshType& m, const LabelSpace& space, const Outline
 		if (!LeavesCut(space, box.plane))
 			throw Error(ErrorCode::TooLong, "longer than the way round the axis")
 				.measured(space.unrolledBox(box.plane).width(), space.circumference());
-		const bool isDeep =
-			seesAll || space.wraps();  // where lines are bent, corners don't tell how deep a triangle is
+		const bool isDeep = seesAll || space.wraps();  // corners don't tell how deep a bent triangle is
 		const double depth = isDeep ? std::numeric_limits<double>::infinity() : std::abs(options.height) + 2 * box.room;
 		p.sheet = CollectSheet(m, space, box.plane, depth);
 		const double most = LabelPlanner(space, p.sheet, precision, options).worstResolution();
