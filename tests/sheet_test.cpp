@@ -48,6 +48,47 @@ TEST(Sheet, HoldsEveryTriangleThatMeetsTheBox)
 	}
 }
 
+/// The code that CodeVertices gives a point, and the one that it has by the angle round the axis itself.
+void ExpectCodeOfUnrolled(const LabelSpace& space, const PlaneBox& box, const Point3d& p)
+{
+	const Point3d q = space.inFrame(p);
+	EXPECT_EQ(int(detail::WindowRoundAxis(space, box).codeOf(q)),
+	          int(detail::OutCodeOfUnrolled(space, space.unrolledBox(box), space.unrolledInFrame(q))))
+		<< p[0] << ' ' << p[1] << ' ' << p[2];
+}
+
+TEST(Sheet, CodesRoundAnAxisAreThoseOfTheAngle)
+{
+	std::mt19937 random(5);
+	std::uniform_real_distribution<double> number(-1, 1);
+	const double pi = std::acos(-1.0);
+	for (const double radius : {10.0, -10.0}) {
+		for (const double width : {0.5, 8.0, 15.0, 29.0, 31.0, 31.5, 40.0}) {  // half of it; half the way round is 31.4
+			LabelFrame frame = FromAbove();
+			frame.wrapRadius = radius;
+			const double slant = number(random);
+			frame.wrapAxis = frame.u * std::sin(slant) + frame.v * std::cos(slant);
+			const Point2d middle(4 * number(random), 0);
+			const LabelSpace space(frame, middle);
+			PlaneBox box;
+			box.add(middle - Point2d(width, 3));
+			box.add(middle + Point2d(width, 3));
+			std::vector<double> angles = {0, pi / 2, -pi / 2, pi, -pi};
+			const PlaneBox window = space.unrolledBox(box);
+			for (const double end : {window.low[0], window.high[0]})
+				for (const double by : {0.0, 1e-15, -1e-15, 1e-10, -1e-10, 1e-7, -1e-7})
+					angles.push_back(space.angleAt(end) + by);
+			for (int i = 0; i < 300; ++i) angles.push_back(pi * number(random));
+			for (const double angle : angles)
+				for (const double distance : {0.0, 1e-3, 9e-3, 1.0, 10.0, 1e6, 1e200}) {
+					const double height = std::copysign(1.0, radius) * distance - radius;
+					for (const double along : {-8.0, 0.0, 2.0})
+						ExpectCodeOfUnrolled(space, box, space.toMesh(space.turned({radius * angle, along, height})));
+				}
+		}
+	}
+}
+
 TEST(Sheet, KeepsOrderPlacesAndFacing)
 {
 	const Shape ball = test_mesh::Sphere(12, 40, 24);

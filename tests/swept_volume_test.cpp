@@ -212,12 +212,12 @@ TEST(SweptVolume, SpeckOnTheWayThroughACorner)
 	for (const double step : {1.0 / 8, 1.0 / 16}) {
 		const Point3d corner = Point3d(8, 2, 4) - direction * step;
 		const Scene scene = WideAngle(Speck(corner, 0.125));
-		const SweptExample swept(scene, 4);
-		EXPECT_EQ(swept.volume.findAlong(corner, direction), Whereabouts::Unclear);
+		SweptExample swept(scene, 4);
+		EXPECT_EQ(swept.volume.findAlong(corner, 0), Whereabouts::Unclear);
 		EXPECT_EQ(swept.volume.find(corner), Whereabouts::Inside);
 		ExpectRefused(scene, 4, corner[2], 0.01);
 		const Point3d outside = Point3d(6, -2, 0.5) - direction * step;  // through an edge of two walls, from outside
-		EXPECT_EQ(swept.volume.findAlong(outside, direction), Whereabouts::Unclear);
+		EXPECT_EQ(swept.volume.findAlong(outside, 0), Whereabouts::Unclear);
 		EXPECT_EQ(swept.volume.find(outside), Whereabouts::Outside);
 	}
 }
@@ -245,7 +245,7 @@ TEST(SweptVolume, TellsEveryPointOfAGrid)
 {
 	for (const double height : {4.0, -2.0}) {
 		const Scene scene = AnL(Shape());
-		const SweptExample swept(scene, height);
+		SweptExample swept(scene, height);
 		const double low = std::min(height, 0.0), high = std::max(height, 0.0);
 		int unclearAtFirst = 0, inside = 0;
 		for (double x = 5; x <= 9; x += 0.25)
@@ -260,7 +260,7 @@ TEST(SweptVolume, TellsEveryPointOfAGrid)
 					                                        : Whereabouts::Outside;
 					ASSERT_TRUE(swept.volume.mayHold({x, y, z}));
 					ASSERT_EQ(int(swept.volume.find({x, y, z})), int(expected)) << x << ' ' << y << ' ' << z;
-					const Whereabouts first = swept.volume.findAlong({x, y, z}, FirstDirection());
+					const Whereabouts first = swept.volume.findAlong({x, y, z}, 0);
 					unclearAtFirst += first == Whereabouts::Unclear && expected != first;
 					inside += expected == Whereabouts::Inside;
 				}

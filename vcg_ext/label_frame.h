@@ -92,7 +92,22 @@ public:
 	double circumference() const { return 2 * pi * std::abs(radius_); }
 	/// Where a point lies on its way round the axis (an arc of the label's cylinder, up to half a circumference to both sides of the
 	/// middle), along the axis, and how far from that cylinder towards the viewer. @pre wraps()
-	vcg::Point3d unrolled(const vcg::Point3d& mesh) const;
+	vcg::Point3d unrolled(const vcg::Point3d& mesh) const { return unrolledInFrame(inFrame(mesh)); }
+	/// The same of a point along the frame's axes. @pre wraps()
+	vcg::Point3d unrolledInFrame(const vcg::Point3d& q) const;
+	/// Label space of an unrolled point. @pre wraps()
+	vcg::Point3d turned(const vcg::Point3d& p) const
+	{
+		return {across_[0] * p[0] - across_[1] * p[1], across_[1] * p[0] + across_[0] * p[1], p[2]};
+	}
+	/// Sine and cosine of the angle from the middle, times the distance from the axis, of a point along the frame's axes. @pre wraps()
+	vcg::Point2d aroundAxis(const vcg::Point3d& q) const
+	{
+		const vcg::Point2d p = offAxis(q);
+		return {p[0] * middleCosine_ - p[1] * middleSine_, p[0] * middleSine_ + p[1] * middleCosine_};
+	}
+	/// The angle from the middle of a place on the way round, radians. @pre wraps()
+	double angleAt(double wayRound) const { return wayRound / radius_ - middle_; }
 	/// How far from the axis a height of label space is. @pre wraps()
 	double distanceFromAxis(double z) const { return std::abs(radius_) + std::copysign(z, z * radius_); }
 	/// Whether what is straight between three unrolled points lies between them when it is unrolled: they are off the axis, and less
@@ -154,11 +169,6 @@ private:
 	{
 		return vcg::Point2d(wayRound(q), q[2] + radius_) * std::copysign(1.0, radius_);
 	}
-	/// From the way round and along the axis to the label plane's axes.
-	vcg::Point3d turned(const vcg::Point3d& p) const
-	{
-		return {across_[0] * p[0] - across_[1] * p[1], across_[1] * p[0] + across_[0] * p[1], p[2]};
-	}
 	static vcg::Point3d multiply(const Rows& m, const vcg::Point3d& p) { return {m[0] * p, m[1] * p, m[2] * p}; }
 
 	Rows meshToLabel_, labelToMesh_;
@@ -171,12 +181,10 @@ private:
 	double middle_ = 0, middleSine_ = 0, middleCosine_ = 1;  ///< angle round the axis
 };
 
-inline vcg::Point3d LabelSpace::unrolled(const vcg::Point3d& mesh) const
+inline vcg::Point3d LabelSpace::unrolledInFrame(const vcg::Point3d& q) const
 {
-	const vcg::Point3d q = inFrame(mesh);
-	const vcg::Point2d p = offAxis(q);
-	const double angle =
-		std::atan2(p[0] * middleCosine_ - p[1] * middleSine_, p[0] * middleSine_ + p[1] * middleCosine_);
+	const vcg::Point2d p = offAxis(q), fromMiddle = aroundAxis(q);
+	const double angle = std::atan2(fromMiddle[0], fromMiddle[1]);
 	return {(angle + middle_) * radius_, alongAxis(q),
 	        std::copysign(1.0, radius_) * (std::hypot(p[0], p[1]) - std::abs(radius_))};
 }

@@ -122,9 +122,10 @@ inline bool KeepsOrientation(const LabelSpace& space, const Sheet& sheet, const 
 /// All faces that could meet, under one number each: those of the patch, the candidates that stay, the straddling triangles.
 class CrossingCheck {
 public:
+	/// @param[in] unrolled  of a wrapped label: LabelSpace::unrolled of all positions
 	CrossingCheck(const LabelSpace& space, const Sheet& sheet, const LabelPatch& patch,
-	              const std::vector<vcg::Point3d>& position)
-		: space_(space), sheet_(sheet), patch_(patch), position_(position)
+	              const std::vector<vcg::Point3d>& position, const std::vector<vcg::Point3d>& unrolled)
+		: space_(space), sheet_(sheet), patch_(patch), position_(position), unrolled_(unrolled)
 	{}
 
 	PatchVerdict run(const Suspects& suspects) const
@@ -156,6 +157,12 @@ private:
 	Corners corners(int number) const
 	{
 		return number < firstStraddling() ? CornersOf(position_, vertices(number)) : straddling(number).mesh;
+	}
+	Corners unrolledCorners(int number) const
+	{
+		if (number < firstStraddling()) return CornersOf(unrolled_, vertices(number));
+		const Corners& c = straddling(number).mesh;
+		return {space_.unrolled(c[0]), space_.unrolled(c[1]), space_.unrolled(c[2])};
 	}
 	/// As they were before the label: of a piece, those of the triangle it was cut from.
 	Corners cornersBefore(int number) const
@@ -209,8 +216,7 @@ private:
 	/// @pre space_.wraps()
 	SearchBox boxRoundAxis(int number) const
 	{
-		const Corners c = corners(number);
-		const std::array<vcg::Point3d, 3> at = {space_.unrolled(c[0]), space_.unrolled(c[1]), space_.unrolled(c[2])};
+		const Corners c = corners(number), at = unrolledCorners(number);
 		SearchBox box, nowhere;
 		double reach = 0, nearest = std::numeric_limits<double>::infinity();  // of the coordinates; to the axis
 		for (size_t k = 0; k < 3; ++k) {
@@ -294,6 +300,7 @@ private:
 	const Sheet& sheet_;
 	const LabelPatch& patch_;
 	const std::vector<vcg::Point3d>& position_;
+	const std::vector<vcg::Point3d>& unrolled_;
 };
 
 }  // namespace detail
@@ -305,17 +312,20 @@ inline PatchVerdict CheckPatch(const LabelSpace& space, const Sheet& sheet, cons
 	detail::RequireOwnPlaces(sheet, patch);
 	const int merged = detail::FindMerged(position, detail::MarkVertices(sheet, patch, suspects));
 	if (merged >= 0) return {PatchFault::Merged, position[size_t(merged)]};
+	std::vector<vcg::Point3d> unrolled;
+	if (space.wraps())
+		for (const vcg::Point3d& p : position) unrolled.push_back(space.unrolled(p));
 	for (size_t i = 0; i < patch.faces.size(); ++i) {
 		if (!suspects.all && !suspects.face[i]) continue;
 		const PatchFace& f = patch.faces[i];
 		const Corners c = detail::CornersOf(position, f.vertex);
 		if (IsCollinear(c)) return {PatchFault::Collapsed, c[0]};
-		if (space.wraps() && !space.isInOnePiece({space.unrolled(c[0]), space.unrolled(c[1]), space.unrolled(c[2])}))
+		if (space.wraps() && !space.isInOnePiece(detail::CornersOf(unrolled, f.vertex)))
 			return {PatchFault::CrossesSelf, c[0]};
 		if (f.kind != FaceKind::Wall && !detail::KeepsOrientation(space, sheet, f, c))
 			return {f.kind == FaceKind::Top && !patch.isFlat ? PatchFault::Folded : PatchFault::Collapsed, c[0]};
 	}
-	return detail::CrossingCheck(space, sheet, patch, position).run(suspects);
+	return detail::CrossingCheck(space, sheet, patch, position, unrolled).run(suspects);
 }
 
 }  // namespace vcg::textlabel

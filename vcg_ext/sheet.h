@@ -16,9 +16,8 @@
 
 #include "contour.h"
 #include "label_frame.h"
-#include "parallel_chunks.h"
-#include "plane_box.h"
 #include "predicates.h"
+#include "vertex_codes.h"
 
 #include <array>
 #include <cstdint>
@@ -103,30 +102,6 @@ struct Sheet {
 
 namespace detail {
 
-enum OutCode : std::uint8_t { Left = 1, Right = 2, Below = 4, Above = 8, Unusable = 16, BehindCamera = 32, Used = 64 };
-
-/// Where a point of the label plane lies against a box. Without branches: that is not to be predicted.
-inline std::uint8_t OutCodeOf(const PlaneBox& box, const vcg::Point2d& p)
-{
-	return std::uint8_t(Left * (p[0] < box.low[0]) | Right * (p[0] > box.high[0]) | Below * (p[1] < box.low[1]) |
-	                    Above * (p[1] > box.high[1]));
-}
-
-/// Where a finite point of label space is seen, in perspective.
-inline std::uint8_t OutCodeOf(const LabelSpace& space, const PlaneBox& box, const vcg::Point3d& q)
-{
-	if (!space.isInFront(q)) return Unusable | BehindCamera;
-	return OutCodeOf(box, space.project(q));
-}
-
-/// Where a finite point is seen when it is unrolled: one on the axis has no place on the way round it, but one along it.
-/// @param[in] unrolled, box  along the way round and along the axis
-inline std::uint8_t OutCodeOfUnrolled(const LabelSpace& space, const PlaneBox& box, const vcg::Point3d& unrolled)
-{
-	const std::uint8_t code = OutCodeOf(box, {unrolled[0], unrolled[1]});
-	return space.isInFront(unrolled) ? code : std::uint8_t((code & (Below | Above)) | Unusable | BehindCamera);
-}
-
 /// Pair the half-edges of the candidates: two that run against each other are twins, one alone is a border, the rest is
 /// non-manifold. Those of an edge meet in the bucket of its lower vertex; the order of hashing or threads plays no part.
 inline void PairHalfEdges(Sheet& sheet)
@@ -195,40 +170,6 @@ inline void LinkTriangles(Sheet& sheet)
 	BuildVertexFans(sheet);
 }
 
-/// Codes of vertices are looked through by so many at a time.
-using CodeBlock = std::uint64_t;
-constexpr size_t kCodeBlock = sizeof(CodeBlock);
-
-/// One pass over the vertices: where each is seen. Of a wrapped label it is asked along the way round and along the axis: there, what
-/// lies between the corners of a triangle is between their codes, too, though unrolling bends it.
-/// @return #V codes, and Unusable up to a whole block
-template <class MeshType>
-std::vector<std::uint8_t> CodeVertices(const MeshType& m, const LabelSpace& space, const PlaneBox& box)
-{
-	std::vector<std::uint8_t> code((m.vert.size() + kCodeBlock - 1) / kCodeBlock * kCodeBlock, Unusable);
-	enum class View { Parallel, Perspective, Wrapped };
-	const auto pass = [&](auto view, size_t first, size_t last) {
-		const LabelSpace here = space;  // copies that nothing else can change stay in registers
-		const PlaneBox window = view == View::Wrapped ? space.unrolledBox(box) : box;
-		const auto* const vertex = m.vert.data();
-		std::uint8_t* const to = code.data();
-		for (size_t v = first; v < last; ++v) {
-			if (vertex[v].IsD()) continue;
-			const vcg::Point3d p = PointOf(vertex[v]), q = view == View::Wrapped ? here.unrolled(p) : here.inFrame(p);
-			if (!std::isfinite(q[0] + q[1])) continue;  // no part of q is finite where a coordinate is not
-			if constexpr (view == View::Perspective) to[v] = OutCodeOf(here, window, q);
-			else if constexpr (view == View::Wrapped) to[v] = OutCodeOfUnrolled(here, window, q);
-			else to[v] = OutCodeOf(window, {q[0], q[1]});
-		}
-	};
-	EachChunk(m.vert.size(), ChunkCount(m.vert.size()), [&](size_t, size_t first, size_t last) {
-		if (space.wraps()) pass(std::integral_constant<View, View::Wrapped>(), first, last);
-		else if (space.perspective()) pass(std::integral_constant<View, View::Perspective>(), first, last);
-		else pass(std::integral_constant<View, View::Parallel>(), first, last);
-	});
-	return code;
-}
-
 /// A triangle that may meet the box.
 struct FoundTriangle {
 	double nearest;  ///< label space: the largest z of its corners; not finite when one of them is too large for it
@@ -260,14 +201,11 @@ enum class Wrapping {
 	Torn     ///< the axis goes through it, or it lies over the cut and reaches to the label
 };
 
-/// @param[in] v  mesh indices of its corners, all off the axis
+/// @param[in] corner  unrolled, all off the axis
 /// @pre space.wraps()
-template <class MeshType>
-Wrapping WrappingOf(const MeshType& m, const LabelSpace& space, const PlaneBox& unrolledBox,
-                    const std::array<int, 3>& v)
+inline Wrapping WrappingOf(const LabelSpace& space, const PlaneBox& unrolledBox,
+                           const std::array<vcg::Point3d, 3>& corner)
 {
-	std::array<vcg::Point3d, 3> corner;
-	for (size_t k = 0; k < 3; ++k) corner[k] = space.unrolled(PointOf(m.vert[size_t(v[k])]));
 	if (space.isInOnePiece(corner)) return Wrapping::Whole;
 	// the widest gap between two corners is where it is not; it must be more than half of the way
 	std::array<double, 3> at = {corner[0][0], corner[1][0], corner[2][0]};
@@ -279,20 +217,14 @@ Wrapping WrappingOf(const MeshType& m, const LabelSpace& space, const PlaneBox& 
 }
 
 /// Depth and facing of a triangle.
-template <class MeshType>
-FoundTriangle SeeTriangle(const MeshType& m, const LabelSpace& space, int face, double& farthest)
+/// @param[in] corner  label space
+inline FoundTriangle SeeTriangle(const LabelSpace& space, int face, const std::array<vcg::Point3d, 3>& corner,
+                                 double& farthest)
 {
-	const std::array<int, 3> v = CornersOfFace(m, space, face);
-	std::array<double, 3> z;
-	std::array<vcg::Point2d, 3> p;
-	for (size_t k = 0; k < 3; ++k) {
-		const vcg::Point3d q = space.toLabel(PointOf(m.vert[size_t(v[k])]));
-		z[k] = q[2];
-		p[k] = space.project(q);
-	}
+	const std::array<double, 3> z = {corner[0][2], corner[1][2], corner[2][2]};
 	const double sum = z[0] + z[1] + z[2];
 	if (!std::isfinite(sum)) return {sum, face, false};
-	const bool facing = Orient2d(p[0], p[1], p[2]) > 0;
+	const bool facing = Orient2d(space.project(corner[0]), space.project(corner[1]), space.project(corner[2])) > 0;
 	if (facing) farthest = std::min({farthest, z[0], z[1], z[2]});
 	return {std::max({z[0], z[1], z[2]}), face, facing};
 }
@@ -305,6 +237,7 @@ FoundTriangles FindTriangles(const MeshType& m, const LabelSpace& space, const P
 	FoundTriangles found;
 	const PlaneBox unrolledBox = space.wraps() ? space.unrolledBox(box) : box;
 	const auto isFinite = [](std::uint8_t x) { return !(x & Unusable) || (x & BehindCamera); };
+	const auto view = [&](const vcg::Point3d& p) { return space.wraps() ? space.unrolled(p) : space.inFrame(p); };
 	const auto* const first = m.vert.data();
 	const std::uint8_t* const code = codes.data();
 	bool anyBeside = false;
@@ -324,12 +257,16 @@ FoundTriangles FindTriangles(const MeshType& m, const LabelSpace& space, const P
 			continue;
 		}
 		if (i == j || j == k || k == i) continue;  // a line: its edges pair with each other
+		const std::array<int, 3> v = CornersOfFace(m, space, int(f));
+		std::array<vcg::Point3d, 3> corner;
+		for (size_t n = 0; n < 3; ++n) corner[n] = view(PointOf(m.vert[size_t(v[n])]));
 		if (space.wraps()) {
-			const Wrapping wrapping = WrappingOf(m, space, unrolledBox, {int(i), int(j), int(k)});
+			const Wrapping wrapping = WrappingOf(space, unrolledBox, corner);
 			if (wrapping == Wrapping::Torn) found.straddling.push_back(int(f));
 			if (wrapping != Wrapping::Whole) continue;
+			for (vcg::Point3d& q : corner) q = space.turned(q);
 		}
-		const FoundTriangle seen = SeeTriangle(m, space, int(f), found.farthest);
+		const FoundTriangle seen = SeeTriangle(space, int(f), corner, found.farthest);
 		if (std::isfinite(seen.nearest)) found.triangles.push_back(seen);
 	}
 	found.isEmpty = found.isEmpty && !anyBeside;
@@ -377,13 +314,6 @@ void CollectTriangles(const MeshType& m, const LabelSpace& space, double depth, 
 			for (const int v : sheet.triangles.back().vertex) code[size_t(v)] |= Used;
 		}
 	}
-}
-
-/// How many of eight codes are Used.
-inline int CountUsed(CodeBlock codes)
-{
-	constexpr CodeBlock ones = 0x0101010101010101;
-	return int((((codes / Used) & ones) * ones) >> (8 * (kCodeBlock - 1)));
 }
 
 /// The vertices of the candidates and of straddling triangles, numbered anew in the order of the mesh.

@@ -14,6 +14,8 @@
 
 #include "patch_check.h"
 
+#include <array>
+#include <memory>
 #include <vcg/space/box3.h>
 
 namespace vcg::textlabel {
@@ -66,39 +68,65 @@ public:
 		for (const Corners& t : boundary_)
 			for (const vcg::Point3d& p : t) box_.Add(p);
 		reach_ = std::ldexp(1.0, std::ilogb(box_.Diag()) + 1);
+		constexpr double rounding = 1e4 * std::numeric_limits<double>::epsilon();  // of doubles, by far
+		for (int k = 0; k < 3; ++k)
+			slack_ = std::max({slack_, rounding * std::abs(box_.min[k]), rounding * std::abs(box_.max[k])});
 	}
 	/// Whether the box of the volume holds a point.
 	bool mayHold(const vcg::Point3d& p) const { return box_.IsIn(p); }
 	/// @pre mayHold(p)
-	Whereabouts find(const vcg::Point3d& p) const
+	Whereabouts find(const vcg::Point3d& p)
 	{
-		for (const auto& direction : directions) {
-			const Whereabouts found = findAlong(p, vcg::Point3d(direction[0], direction[1], direction[2]));
+		for (size_t i = 0; i < directions.size(); ++i) {
+			const Whereabouts found = findAlong(p, i);
 			if (found != Whereabouts::Unclear) return found;
 		}
 		return Whereabouts::Unclear;
 	}
-	Whereabouts findAlong(const vcg::Point3d& p, const vcg::Point3d& direction) const
+	/// @param[in] direction  index into `directions`
+	Whereabouts findAlong(const vcg::Point3d& p, size_t direction)
 	{
-		const vcg::Point3d beyond = p + direction * reach_;
-		bool isInside = false;
-		for (const Corners& t : boundary_) {
-			if (!BoxesMeet({p, beyond, beyond}, t)) continue;
+		const auto& d = directions[direction];
+		const vcg::Point3d beyond = p + vcg::Point3d(d[0], d[1], d[2]) * reach_;
+		if (!seen_[direction]) seen_[direction] = std::make_unique<PlaneGrid>(boundarySeen(direction));
+		const vcg::Point2d at = seenAlong(direction, p);
+		bool isInside = false, isUnclear = false;
+		seen_[direction]->query({at, at, at}, slack_, [&](int i) {
+			const Corners& t = boundary_[size_t(i)];
+			if (isUnclear || !BoxesMeet({p, beyond, beyond}, t)) return;
 			const Passage passage = PassageOf(p, beyond, t);
-			if (passage == Passage::Unclear) return Whereabouts::Unclear;
+			isUnclear = passage == Passage::Unclear;
 			if (passage == Passage::Passes) isInside = !isInside;
-		}
-		return isInside ? Whereabouts::Inside : Whereabouts::Outside;
+		});
+		return isUnclear ? Whereabouts::Unclear : isInside ? Whereabouts::Inside : Whereabouts::Outside;
 	}
 
 	/// To points beyond the box, in the order in which they are tried: aslant to the planes that parts are made of.
-	static constexpr double directions[][3] = {{5, 7, 11},  {-11, 5, 7},  {7, -11, 5},   {5, 7, -11},
-	                                           {13, -3, 8}, {-4, -13, 9}, {-9, 14, -17}, {-19, -6, -15}};
+	static constexpr std::array<std::array<double, 3>, 8> directions = {
+		{{5, 7, 11}, {-11, 5, 7}, {7, -11, 5}, {5, 7, -11}, {13, -3, 8}, {-4, -13, 9}, {-9, 14, -17}, {-19, -6, -15}}};
 
 private:
+	/// Where a point is seen along a direction.
+	static vcg::Point2d seenAlong(size_t direction, const vcg::Point3d& p)
+	{
+		const auto& d = directions[direction];
+		return {p[0] - p[2] * (d[0] / d[2]), p[1] - p[2] * (d[1] / d[2])};
+	}
+	std::vector<PlaneTriangle> boundarySeen(size_t direction) const
+	{
+		std::vector<PlaneTriangle> seen;
+		seen.reserve(boundary_.size());
+		for (const Corners& t : boundary_)
+			seen.push_back({seenAlong(direction, t[0]), seenAlong(direction, t[1]), seenAlong(direction, t[2])});
+		return seen;
+	}
+
 	std::vector<Corners> boundary_;
 	vcg::Box3d box_;
-	double reach_;  ///< longer than the box; a power of two, which keeps round coordinates round
+	double reach_;      ///< longer than the box; a power of two, which keeps round coordinates round
+	double slack_ = 0;  ///< more than a coordinate is off when it is seen along a direction
+	std::array<std::unique_ptr<PlaneGrid>, directions.size()>
+		seen_;  ///< the boundary along each direction, once one has asked
 };
 
 /// The shells of what stays, joined by vertices that the patch does not touch.
@@ -162,7 +190,7 @@ private:
 		return true;
 	}
 	/// Of the shell collected last: the first vertex that is not on the boundary tells.
-	bool isInside() const
+	bool isInside()
 	{
 		for (const int v : member_) {
 			const Whereabouts found = volume_.find(position_[size_t(v)]);
@@ -173,7 +201,7 @@ private:
 
 	const Sheet& sheet_;
 	const std::vector<vcg::Point3d>& position_;
-	const SweptVolume volume_;
+	SweptVolume volume_;
 	std::vector<int> shell_;  ///< #Sheet::vertices: a Mark, or the shell it belongs to
 	std::vector<int> member_;
 	std::vector<std::pair<int, size_t>> straddling_;  ///< (vertex, index into Sheet::straddling), sorted

@@ -153,6 +153,48 @@ inline Contact CoplanarContact(Corners a, Corners b, const SharedCorners& shared
 	return apart < 0 ? Contact::Overlaps : apart == 0 ? Contact::Touches : Contact::Disjoint;
 }
 
+/// The axis along which a triangle is seen widest, or nearly.
+inline int WidestAxis(const Corners& t)
+{
+	const vcg::Point3d n = (t[1] - t[0]) ^ (t[2] - t[0]);
+	const double x = std::abs(n[0]), y = std::abs(n[1]), z = std::abs(n[2]);
+	return x > y && x > z ? 0 : y > z ? 1 : 2;
+}
+
+/// Whether an edge line of `a`, seen along an axis, keeps b on its far side, but for a corner that the edge shares with it.
+/// @param[in] turn  the orientation of a, seen so; not 0
+/// @param[in] cornerA, cornerB  the shared corner in both; -1: none
+inline bool EdgeKeepsOut(const Flat& a, int cornerA, int turn, const Flat& b, int cornerB)
+{
+	for (int i = 0; i < 3; ++i) {
+		const int next = (i + 1) % 3;
+		const auto isBeyond = [&](int j) {
+			if (j == cornerB && (i == cornerA || next == cornerA)) return true;
+			return Orient2d(a[static_cast<size_t>(i)], a[static_cast<size_t>(next)], b[static_cast<size_t>(j)]) ==
+			       -turn;
+		};
+		if (isBeyond(0) && isBeyond(1) && isBeyond(2)) return true;
+	}
+	return false;
+}
+
+/// Whether two triangles, seen along an axis, have nothing in common but what they share; false tells nothing. Pieces of one facet
+/// are seen so, which rounding has left so nearly in one plane that only exact arithmetic could tell the sides of their planes.
+inline bool AreSeenApart(const Corners& a, const Corners& b, const SharedCorners& shared)
+{
+	const int axis = WidestAxis(a);
+	Flat fa, fb;
+	for (size_t i = 0; i < 3; ++i) {
+		fa[i] = Dropped(a[i], axis);
+		fb[i] = Dropped(b[i], axis);
+	}
+	const int turnA = Orient2d(fa[0], fa[1], fa[2]), turnB = Orient2d(fb[0], fb[1], fb[2]);
+	if (turnA == 0 || turnB == 0) return false;
+	if (shared.count == 2) return !IsFolded(shared, turnA == turnB);
+	const int inA = shared.count > 0 ? shared.inA[0] : -1, inB = shared.count > 0 ? shared.inB[0] : -1;
+	return EdgeKeepsOut(fa, inA, turnA, fb, inB) || EdgeKeepsOut(fb, inB, turnB, fa, inA);
+}
+
 /// The sides of a plane on which the corners of a triangle lie: +1, 0, -1 each.
 using Sides = std::array<int, 3>;
 
@@ -231,6 +273,7 @@ inline Contact ContactWithinBoxes(const Corners& a, const Corners& b)
 	const detail::SharedCorners shared = detail::FindShared(a, b);
 	if (shared.count == 3) return detail::CoplanarContact(a, b, shared);
 	const Contact apart = shared.count > 0 ? Contact::SharesOnly : Contact::Disjoint;
+	if (detail::AreSeenApart(a, b, shared)) return apart;
 	if (shared.count == 2) {
 		const size_t apex = static_cast<size_t>(3 - shared.inB[0] - shared.inB[1]);
 		// Neighbours out of one plane, the most frequent case of all, meet along their common edge and nowhere else.

@@ -13,6 +13,7 @@
 //   check      the proof on rounded coordinates
 //   commit     written into the mesh
 //   label      all of it (LabelMesh)
+//   wrapped    all of the same label, wrapped round an axis in the part
 //   pass       the limit: one bare linear pass over vertices and faces
 //
 //   textlabel_bench --benchmark_filter='.*/short/1000000$'
@@ -86,7 +87,8 @@ void Register()
 		{"check", Kept(&Stages::check)}};
 	const std::vector<std::pair<std::string, Stage>> writing = {
 		{"commit", [](Stages& s) { benchmark::DoNotOptimize(s.commit()); }},
-		{"label", [](Stages& s) { benchmark::DoNotOptimize(s.label()); }}};
+		{"label", [](Stages& s) { benchmark::DoNotOptimize(s.label()); }},
+		{"wrapped", [](Stages& s) { benchmark::DoNotOptimize(s.wrapped()); }}};
 	for (const bool isLong : {false, true}) {
 		const std::string text = isLong ? "/long" : "/short";
 		benchmark::RegisterBenchmark(("outline" + text).c_str(), [isLong](benchmark::State& state) {

@@ -65,11 +65,14 @@ public:
 	/// Changes the mesh; restore() undoes it.
 	size_t commit() { return vcg::textlabel::CommitPatch(mesh_, space_, sheet_, patch_).faces.size(); }
 	/// All stages; changes the mesh.
-	int label()
+	int label() { return labelIn(FrameOnCushion()); }
+	/// The same label, wrapped round an axis in the cushion.
+	int wrapped()
 	{
-		vcg::textlabel::LabelOptions options;
-		options.height = height_;
-		return vcg::textlabel::LabelMesh(mesh_, outline_, FrameOnCushion(), options).newFaces;
+		LabelFrame frame = FrameOnCushion();
+		frame.wrapRadius = 60;  // the cushion is 100 units long: no face under the text is steep seen from the axis
+		frame.wrapAxis = frame.v;
+		return labelIn(frame);
 	}
 	void restore()
 	{
@@ -91,6 +94,12 @@ public:
 	size_t faces() const { return patch_.faces.size(); }
 
 private:
+	int labelIn(const LabelFrame& frame)
+	{
+		vcg::textlabel::LabelOptions options;
+		options.height = height_;
+		return vcg::textlabel::LabelMesh(mesh_, outline_, frame, options).newFaces;
+	}
 	std::vector<vcg::Point3d> rounded() const
 	{
 		return vcg::textlabel::RoundedPositions(sheet_, patch_, vcg::textlabel::RoundToFloat);
