@@ -48,55 +48,72 @@ private:
 class Turns {
 public:
 	/// @param[in] unit  of length, so that turns and moves weigh alike
-	Turns(const SurfacePatch& surface, const Point3d& place, double unit, bool withEnds) : unit_(unit)
+	Turns(const SurfacePatch& surface, const Point3d& place, double unit, bool ofEnds) : unit_(unit)
 	{
-		Eigen::Matrix3d turns = Eigen::Matrix3d::Zero(), moves = turns;
-		double area = 0;
+		Eigen::Matrix3d turns = Eigen::Matrix3d::Zero();
+		double weight = 0;
 		for (const FoldPoint& e : surface.folds) {
-			if (e.isEnd && !withEnds) continue;
+			if (e.isEnd != ofEnds) continue;
 			const Eigen::Vector3d n = ToEigen(e.normal), turn = ToEigen((e.point - place) ^ e.normal) / unit;
-			turns += e.area * turn * turn.transpose();
-			moves += e.area * n * n.transpose();
-			mixed_ += e.area * n * turn.transpose();
-			area += e.area;
+			turns += e.weight * turn * turn.transpose();
+			moves_ += e.weight * n * n.transpose();
+			mixed_ += e.weight * n * turn.transpose();
+			weight += e.weight;
 		}
-		constexpr double free = 1e-8;  // radians squared: no normal looks along such a move, so it helps nothing
-		const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> costs(moves / area);
-		for (int i = 0; i < 3; ++i) {
-			const Eigen::Vector3d along = costs.eigenvectors().col(i);
-			if (costs.eigenvalues()[i] > free) inverse_ += along * along.transpose() / (costs.eigenvalues()[i] * area);
-		}
-		cost_ = (turns - mixed_.transpose() * inverse_ * mixed_) / area;
+		moves_ /= weight;
+		mixed_ /= weight;
+		const Eigen::Matrix3d inverse = inverseOn(Eigen::Matrix3d::Identity());
+		cost_ = turns / weight - mixed_.transpose() * inverse * mixed_;
 	}
 	/// Units squared: a turn times this times the turn is what the normals see of it, when it has the best move beside it.
 	const Eigen::Matrix3d& cost() const { return cost_; }
-	/// The move that goes with a turn: it brings the turn's axis to where the normals meet.
-	Eigen::Vector3d move(const Eigen::Vector3d& turn) const { return -(inverse_ * (mixed_ * turn)) * unit_; }
+	/// The move across a turn that goes with it: it brings the turn's axis to where the normals meet.
+	Eigen::Vector3d move(const Eigen::Vector3d& turn) const
+	{
+		const Eigen::Vector3d first = turn.unitOrthogonal();
+		Eigen::Matrix<double, 3, 2> across;
+		across << first, turn.cross(first);
+		return -(inverseOn(across) * (mixed_ * turn)) * unit_;
+	}
 
 private:
+	/// The inverse of moves_ among the moves in a basis (columns).
+	Eigen::Matrix3d inverseOn(const Eigen::MatrixXd& basis) const
+	{
+		constexpr double free = 1e-8;  // radians squared: no normal looks along such a move, so it helps nothing
+		const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> costs(basis.transpose() * moves_ * basis);
+		Eigen::Matrix3d inverse = Eigen::Matrix3d::Zero();
+		for (Eigen::Index i = 0; i < basis.cols(); ++i) {
+			const Eigen::Vector3d along = basis * costs.eigenvectors().col(i);
+			if (costs.eigenvalues()[i] > free) inverse += along * along.transpose() / costs.eigenvalues()[i];
+		}
+		return inverse;
+	}
+
 	const double unit_;
-	Eigen::Matrix3d mixed_ = Eigen::Matrix3d::Zero(), inverse_ = mixed_;
+	Eigen::Matrix3d moves_ = Eigen::Matrix3d::Zero(), mixed_ = moves_;
 	Eigen::Matrix3d cost_;
 };
 
-/// The turns, of those in a basis, of which little is seen: the least, and all that are as good.
-Eigen::MatrixXd LeastSeen(const Eigen::Matrix3d& cost, const Eigen::MatrixXd& basis)
+/// The turns of which little is seen: the least, and all that are as good; columns.
+Eigen::MatrixXd LeastSeen(const Eigen::Matrix3d& cost)
 {
 	constexpr double nothing = 1e-10, asGood = 1e-4, alike = 4;  // units squared; of the worst; times the best
-	const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(basis.transpose() * cost * basis);
-	const Eigen::VectorXd& seen = solver.eigenvalues();
-	const double most = std::max({nothing, asGood * seen[seen.size() - 1], alike * seen[0]});
+	const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(cost);
+	const Eigen::Vector3d& seen = solver.eigenvalues();
+	const double most = std::max({nothing, asGood * seen[2], alike * seen[0]});
 	Eigen::Index count = 1;
 	while (count < seen.size() && seen[count] <= most) ++count;
-	return basis * solver.eigenvectors().leftCols(count);
+	return solver.eigenvectors().leftCols(count);
 }
 
 /// The direction about which turns are seen least. Where several are as good, as on a ball, the first of those wished for.
-Eigen::Vector3d DirectionOf(const Turns& ofMiddles, const Turns& ofAll, std::initializer_list<Eigen::Vector3d> wishes)
+/// The ends always have a say: the middles of a single row are at one height, and of turns about its diameters they see nothing, but
+/// for what rounded coordinates do to the normals; that would decide.
+Eigen::Vector3d DirectionOf(const Turns& ofMiddles, const Turns& ofEnds, std::initializer_list<Eigen::Vector3d> wishes)
 {
-	constexpr double enough = 0.5;  // of a wish that is met
-	Eigen::MatrixXd least = LeastSeen(ofMiddles.cost(), Eigen::Matrix3d::Identity());
-	if (least.cols() > 1) least = LeastSeen(ofAll.cost(), least);
+	constexpr double enough = 0.5, say = 0.01;  // of a wish that is met; times that of the middles
+	const Eigen::MatrixXd least = LeastSeen(ofMiddles.cost() + say * ofEnds.cost());
 	for (const Eigen::Vector3d& wish : wishes) {
 		const Eigen::Vector3d met = least * (least.transpose() * wish);
 		if (met.norm() > enough) return met.normalized();
@@ -110,19 +127,19 @@ Axis AxisAlong(const Eigen::Vector3d& direction, const Turns& turns, const Surfa
 {
 	const Eigen::Vector3d center = direction.cross(turns.move(direction));
 	Axis axis{FromEigen(direction), frame.origin + FromEigen(center), center.norm()};
-	double squares = 0, area = 0;
+	double squares = 0, weight = 0;
 	Sector places(axis.direction, FromEigen(-center)), normals(axis.direction, frame.w);
 	for (const FoldPoint& e : surface.folds) {
 		if (e.isEnd) continue;
 		Point3d across = e.point - axis.point;
 		across -= axis.direction * (across * axis.direction);
 		const double sine = (axis.direction ^ across) * e.normal / across.Norm();
-		squares += e.area * sine * sine;
-		area += e.area;
+		squares += e.weight * sine * sine;
+		weight += e.weight;
 		places.add(across);
 		normals.add(e.normal);
 	}
-	axis.roughness = std::sqrt(squares / area);
+	axis.roughness = std::sqrt(squares / weight);
 	axis.arc = std::min(places.angle(), normals.angle());
 	return axis;
 }
@@ -134,8 +151,8 @@ std::optional<Axis> AxisOf(const SurfacePatch& surface, const LabelFrame& frame,
 {
 	constexpr double straight = 0.99996, rougher = 1.1, rough = 0.005;  // cosine of half a degree; times; a sine
 	if (surface.folds.empty()) return std::nullopt;
-	const Turns turns(surface, frame.origin, unit, false), all(surface, frame.origin, unit, true);
-	const Eigen::Vector3d direction = DirectionOf(turns, all, {ToEigen(frame.v), ToEigen(frame.u)});
+	const Turns turns(surface, frame.origin, unit, false), ofEnds(surface, frame.origin, unit, true);
+	const Eigen::Vector3d direction = DirectionOf(turns, ofEnds, {ToEigen(frame.v), ToEigen(frame.u)});
 	const Axis axis = AxisAlong(direction, turns, surface, frame);
 	if (!std::isfinite(axis.arc + axis.radius + axis.roughness)) return std::nullopt;
 	for (const Point3d& p : {frame.v, frame.u, Point3d(1, 0, 0), Point3d(0, 1, 0), Point3d(0, 0, 1)}) {
@@ -146,17 +163,39 @@ std::optional<Axis> AxisOf(const SurfacePatch& surface, const LabelFrame& frame,
 	return axis;
 }
 
+/// Whether the facet at the place lies as one of a turned part does: the axis is behind its middle. Beside a rounded edge a flat side
+/// does not, though all that bends there tells of the edge's axis.
+bool IsBehindMiddle(const SurfacePatch& surface, const Axis& axis)
+{
+	constexpr double most = 0.15, wide = 0.3;  // of the radius; on a scan, triangles are small and turned anyhow
+	const Point3d across = axis.direction ^ surface.facetNormal;
+	double low = std::numeric_limits<double>::infinity(), high = -low;
+	for (const Point3d& p : surface.facet) {
+		low = std::min(low, (p - axis.point) * across);
+		high = std::max(high, (p - axis.point) * across);
+	}
+	return high - low < wide * axis.radius || std::abs(low + high) / 2 <= most * axis.radius;
+}
+
 /// In squares that grow until enough of the arc is seen, or other things that do not belong to it.
 std::optional<Axis> FindAxis(const LabelFrame& frame, double diagonal, const SurfaceAround& surface)
 {
 	constexpr double first = 1.0 / 64, enough = 1.2, least = 0.05;  // of the diagonal; radians
 	constexpr double rougher = 2, rough = 0.05, mostTowards = 0.5;  // times; sines
+	constexpr double known = 0.3, clean = 0.01, same = 0.995,
+					 little = 0.005;  // radians; sine; cosine of six degrees; sine
 	std::optional<Axis> found;
 	for (double halfSide = first * diagonal; halfSide < 2 * diagonal; halfSide *= 2) {
 		const SurfacePatch patch = surface(frame, halfSide);
 		const std::optional<Axis> axis = AxisOf(patch, frame, halfSide);
-		const bool isSeen = axis && axis->arc >= least && std::abs(axis->direction * frame.w) < mostTowards;
-		if (found && isSeen && axis->roughness > rougher * found->roughness + rough) break;
+		const bool isSeen = axis && axis->arc >= least && std::abs(axis->direction * frame.w) < mostTowards &&
+		                    IsBehindMiddle(patch, *axis);
+		if (found && isSeen) {
+			// a branch that comes into sight brings an axis of its own, which fits nearly as well
+			const bool isClear = found->arc >= known && found->roughness < clean;
+			const bool isAnother = isClear && std::abs(axis->direction * found->direction) < same;
+			if (axis->roughness > rougher * found->roughness + (isAnother ? little : rough)) break;
+		}
 		if (isSeen) found = axis;
 		if (patch.isWhole || (found && found->arc >= enough)) break;
 	}

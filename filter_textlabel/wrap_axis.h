@@ -20,14 +20,17 @@ namespace textlabel {
 struct FoldPoint {
 	vcg::Point3d point;
 	vcg::Point3d normal;  ///< unit, halfway between those of the two faces
-	double area = 0;      ///< of the two faces
+	double weight = 0;    ///< the area of the two faces, less of it the less these bend
 	bool isEnd = false;   ///< else the middle
 };
 
 /// A piece of surface around a place.
 struct SurfacePatch {
 	std::vector<FoldPoint> folds;
-	bool isWhole = false;  ///< a larger one would hold no more
+	std::vector<vcg::Point3d>
+		facet;  ///< corners of the triangles around the place that lie in one plane; world coordinates
+	vcg::Point3d facetNormal{0, 0, 1};  ///< unit
+	bool isWhole = false;               ///< a larger one would hold no more
 };
 
 /// The surface that hangs together around the origin of a parallel frame, as far as it faces the viewer and a square reaches.
@@ -77,6 +80,25 @@ struct SeenSurface {
 		constexpr double leastCosine = 0.2;
 		return sheet.triangles[size_t(t)].facing && normal[size_t(t)][2] > leastCosine * normal[size_t(t)].Norm();
 	}
+	/// The triangles around one that lie in its plane, as far as rounded coordinates tell.
+	std::vector<int> facetOf(int start) const
+	{
+		constexpr double flat = 0.02;  // radians
+		std::vector<int> facet{start};
+		std::vector<char> isSeen(sheet.triangles.size(), 0);
+		isSeen[size_t(start)] = 1;
+		const vcg::Point3d& n = normal[size_t(start)];
+		for (size_t i = 0; i < facet.size(); ++i)
+			for (int h = 3 * facet[i]; h < 3 * facet[i] + 3; ++h) {
+				const int t = sheet.twin[size_t(h)] / 3;
+				if (sheet.twin[size_t(h)] < 0 || isSeen[size_t(t)]) continue;
+				const vcg::Point3d& other = normal[size_t(t)];
+				if (!(n * other > 0 && (n ^ other).Norm() < flat * (n * other))) continue;
+				isSeen[size_t(t)] = 1;
+				facet.push_back(t);
+			}
+		return facet;
+	}
 	/// The triangle that holds the origin, or -1.
 	int start(const vcg::textlabel::LabelSpace& space) const
 	{
@@ -101,6 +123,7 @@ template <class MeshType>
 SurfacePatch CollectSurface(const MeshType& m, const vcg::textlabel::LabelFrame& frame, double halfSide)
 {
 	constexpr double flat = 1e-4, sharp = 1.35;  // radians: rounding; the corner of a box, or the end of a part
+	constexpr double bent = 0.01;                // radians: a fold that bends so much has a quarter of its weight
 	const vcg::textlabel::LabelSpace space(frame);
 	const detail::SeenSurface seen(m, space, halfSide);
 	const auto& sheet = seen.sheet;
@@ -110,7 +133,14 @@ SurfacePatch CollectSurface(const MeshType& m, const vcg::textlabel::LabelFrame&
 	const auto visit = [&](int t) {
 		if (!std::exchange(isFound[size_t(t)], 1)) found.push_back(t);
 	};
-	if (const int start = seen.start(space); start >= 0) visit(start);
+	const auto toWorld = [&](const vcg::Point3d& d) { return frame.u * d[0] + frame.v * d[1] + frame.w * d[2]; };
+	if (const int start = seen.start(space); start >= 0) {
+		visit(start);
+		patch.facetNormal = toWorld(seen.normal[size_t(start)] / seen.normal[size_t(start)].Norm());
+		for (const int t : seen.facetOf(start))
+			for (const int v : sheet.triangles[size_t(t)].vertex)
+				patch.facet.push_back(frame.origin + toWorld(seen.at(v)));
+	}
 	patch.isWhole = !found.empty();
 	for (size_t i = 0; i < found.size(); ++i)
 		for (int h = 3 * found[i]; h < 3 * found[i] + 3; ++h) {
@@ -123,13 +153,12 @@ SurfacePatch CollectSurface(const MeshType& m, const vcg::textlabel::LabelFrame&
 			const double turn = std::atan2((p ^ q).Norm(), p * q);
 			if (!(turn > flat && turn < sharp)) continue;
 			const vcg::Point3d n = p / p.Norm() + q / q.Norm();
-			const auto toWorld = [&](const vcg::Point3d& d) {
-				return frame.u * d[0] + frame.v * d[1] + frame.w * d[2];
-			};
 			const vcg::Point3d &from = seen.at(sheet.from(h)), &to = seen.at(sheet.to(h));
+			// a diagonal that rounding has bent has the facet's own normal, wherever it lies on it
+			const double worth = turn / (turn + bent) * (turn / (turn + bent));
 			for (const double along : {0.0, 0.5, 1.0})
 				patch.folds.push_back({frame.origin + toWorld(from + (to - from) * along), toWorld(n / n.Norm()),
-				                       (p.Norm() + q.Norm()) / 2, along != 0.5});
+				                       (p.Norm() + q.Norm()) / 2 * worth, along != 0.5});
 		}
 	return patch;
 }

@@ -109,6 +109,49 @@ TEST(WrapAxis, SingleRowsSeenAslant)
 			}
 }
 
+// Files with few decimals, and parts far from the origin: rounding turns the normals of narrow facets round the axis, and bends the
+// facets along their diagonals.
+TEST(WrapAxis, RoundedCoordinates)
+{
+	const auto turned = [](const Point3d& p) {  // aslant: no coordinate is round by itself
+		const double a = 0.7, b = 0.4;
+		const Point3d q(p[0] * std::cos(a) - p[1] * std::sin(a), p[0] * std::sin(a) + p[1] * std::cos(a), p[2]);
+		return Point3d(q[0], q[1] * std::cos(b) - q[2] * std::sin(b), q[1] * std::sin(b) + q[2] * std::cos(b));
+	};
+	for (const double step : {1e-4, 1e-3})
+		for (const double slope : {0.0, 0.2})
+			for (const int sides : {24, 64, 128, 256})
+				for (const double height : {12.0, 30.0}) {
+					const auto rounded = [&](Point3d p) {
+						for (int k = 0; k < 3; ++k) p[k] = std::round(p[k] / step) * step;
+						return p;
+					};
+					const Shape shape = Turned({10 - slope * height / 2, 10 + slope * height / 2}, sides, height)
+					                        .moved([&](const Point3d& p) { return rounded(turned(p)); });
+					const double a = M_PI / sides, r = 10 * std::cos(a);
+					const Point3d towards(std::sin(a), 0.1, std::cos(a)), place(r * std::sin(a), 0, r * std::cos(a));
+					const LabelFrame f = WrappedOn(shape, At(turned(place), turned(towards), turned({0.1, 1, 0})));
+					EXPECT_GT(std::abs(f.wrapAxis * turned({0, 1, 0})), std::cos(0.02)) << sides << ' ' << slope;
+					EXPECT_NEAR(f.wrapRadius, r, 0.02 * r) << sides << ' ' << slope;
+				}
+}
+
+// A shaft with a flat: round it runs a label beside the flat, but not one on it, although the edges of the flat bend.
+TEST(WrapAxis, BesideAFlatAndNotOnIt)
+{
+	constexpr int sides = 48;
+	Shape shaft = Turned({10, 10}, sides, 30);
+	for (Point3d& p : shaft.points)
+		if (p[2] > 8) p = Point3d(p[0] * 8 / p[2], p[1], 8);
+	for (const double degrees : {63.0, 110.0, 180.0, 285.0}) {
+		const double a = degrees * M_PI / 180, facet = M_PI / sides;
+		const double r = 10 * std::cos(facet) / std::cos(std::remainder(a - facet, 2 * facet));
+		const Point3d towards(std::sin(a), 0, std::cos(a));
+		ExpectAxis(WrappedOn(shaft, At(towards * r, towards)), {0, 1, 0}, r);
+	}
+	for (const double x : {0.0, 1.5, 3.0, 4.0}) EXPECT_TRUE(HasNoAxis(shaft, At({x, 0, 8}, {0, 0, 1}))) << x;
+}
+
 TEST(WrapAxis, InPerspective)
 {
 	LabelFrame frame = At({0, 0, 10}, {0.1, 0.1, 1});
