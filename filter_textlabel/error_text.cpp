@@ -86,12 +86,15 @@ std::string PlaceText(const Error& error, const ErrorContext& context)
 	case ErrorCode::FacesAway:
 		return letter + " meets the back of the surface" + where +
 		       (context.isWrapped
-		            ? ". A wrapped label is read from outside its axis, in a pipe from it. When that is so, the "
-		              "part's faces are turned inside out: run "
+		            ? ". It runs over a hole or a step: move it. Or it is not read from outside its axis (in a pipe, "
+		              "from it), or the part's faces are turned inside out: then run "
 		            : ". Look at the part from outside; when it looks right there, its faces are turned inside "
 		              "out: run ") +
 		       orientFaces + " or " + invertFaces + " first.";
 	case ErrorCode::Border:
+		if (context.isWrapped)
+			return letter + " runs over an end, a border or a hole of the surface, or to where it cannot be unrolled" +
+			       where + ". " + moveIt;
 		return letter + " runs over a border or a hole of the surface" + where + ". " + moveIt +
 		       " Or close the hole first.";
 	case ErrorCode::Silhouette:
@@ -136,6 +139,13 @@ std::string PlaceText(const Error& error, const ErrorContext& context)
 		       (context.isWrapped ? "Move the label, or give another axis (up, wrap_radius)"
 		                          : "Look at the place more from the front") +
 		       ", or raise max_stretch.";
+	case ErrorCode::Squeezed:
+		return letter + " lies nearer to the axis than the place of the label" + where + ": it would be " +
+		       FigureBelow(error.value) + " times as long as it was measured, and has to be " +
+		       FigureAbove(error.limit) +
+		       " times. Move the label to where the part is as thick, make the text larger (size), or lower min_stroke "
+		       "and "
+		       "min_gap, or raise max_stretch.";
 	case ErrorCode::TooFine:
 		if (!(error.value > 0))
 			return letter + " meets corners or edges of the mesh" + where +
@@ -152,7 +162,7 @@ std::string PlaceText(const Error& error, const ErrorContext& context)
 		       Figure(std::abs(context.depth)) + Room(error) + ". " + UseDepth(error) + ", or move the label.";
 	case ErrorCode::HitsItself:
 		return letter + " would fold or cut itself" + where + " at depth " + Figure(std::abs(context.depth)) +
-		       Room(error) + ". " + UseDepth(error) + ", or extrude along the viewpoint.";
+		       Room(error) + ". " + UseDepth(error) + (context.isWrapped ? "." : ", or extrude along the viewpoint.");
 	default: return letter + " was refused" + where + ".";
 	}
 }
@@ -283,9 +293,8 @@ std::string ErrorText(const RequestError& error)
 		       " in front of the nearest one that faces the viewer. The part's faces are turned inside out: run " +
 		       invertFaces + " first. Or, if they are not, look from another direction.";
 	case RequestProblem::WrapNeedsPlace:
-		return "A label that is wrapped needs a place: give a position and a direction (placement Point and "
-			   "direction), "
-			   "or a view.";
+		return "A label that is wrapped needs a place. Give a position and a direction (in the dialog and in scripts "
+			   "with the placement Point and direction), or a view.";
 	case RequestProblem::NoAxis:
 		return "The surface at the place bends round no axis that can be measured. Move the place to where the part is "
 			   "round, merge its vertices if they are not, or say how far behind the place the axis is (wrap_radius) "

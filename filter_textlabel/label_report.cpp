@@ -87,8 +87,9 @@ std::string ReportJson(const LabelReport& r)
 	AddBeforeAfter(json, "non_manifold_edges", r.before, r.after, &MeshNumbers::nonManifoldEdges);
 	AddBeforeAfter(json, "components", r.before, r.after, &MeshNumbers::components);
 	AddBeforeAfter(json, "genus", r.before, r.after, &MeshNumbers::genus);
-	json.add("stretch", r.stretch)
-		.add("resolution", r.resolution)
+	json.add("stretch", r.stretch);
+	if (r.view.wrapRadius != 0) json.add("least_stretch", r.leastStretch);
+	json.add("resolution", r.resolution)
 		.add("coordinate_step", r.coordinateStep)
 		.add("survives_float32", r.survivesFloat32);
 	json.add("thinnest_stroke", r.thinnestStroke).add("narrowest_gap", r.narrowestGap);

@@ -288,6 +288,16 @@ TextOptions TextOptionsOf(const LabelRequest& request, double size)
 	return options;
 }
 
+double LeastStretch(const LabelRequest& request, const TextOutline& outline)
+{
+	constexpr double chords = 0.95;  // over arcs, of six facets all the way round
+	const auto needed = [](double asked, const Narrowest& has) {
+		return asked > 0 && has.width > 0 ? chords * asked / has.width : 0;
+	};
+	return std::max({1 / request.maxStretch, needed(request.minStroke, outline.thinnestStroke),
+	                 needed(request.minGap, outline.narrowestGap)});
+}
+
 LabelRequest WindowDefaults(const vcg::Box3d& box)
 {
 	constexpr double sizeOfDiagonal = 0.05, depthOfSize = 0.1;

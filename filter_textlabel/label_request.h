@@ -155,6 +155,9 @@ void SetMore(LabelRequest& request, const std::string& text);
 /// How the text is to be set at a capital height.
 TextOptions TextOptionsOf(const LabelRequest& request, double size);
 
+/// The least stretch at which letters keep the strokes and gaps that are asked for: a wrapped label may lie where the part is thinner.
+double LeastStretch(const LabelRequest& request, const TextOutline& outline);
+
 /// Defaults for a part in a window: a size and a depth to start from, the point of view that the user sees.
 /// Without a window the defaults are those of LabelRequest: all that depends on the part is chosen when the filter runs.
 /// @param[in] box  the part's, world coordinates; may be null

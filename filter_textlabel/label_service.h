@@ -250,6 +250,7 @@ void LabelJob<MeshType>::labelAtDepth(const LabelRequest& request, const TextOut
 	options.height = height_;
 	options.along = vcg::textlabel::ExtrudeAlong(request.extrudeAlong);
 	options.maxStretch = request.maxStretch;
+	options.minStretch = LeastStretch(request, outline);
 	options.fileDigits = context_.fileDigits = int(request.fileDigits);
 	options.progress = host_.progress;
 	result_ = vcg::textlabel::LabelMesh(m_, outline.outline, frame_, options);
@@ -333,6 +334,7 @@ LabelReport LabelJob<MeshType>::report(const LabelRequest& request) const
 	r.labelArea = result_.labelArea;
 	r.surfaceArea = result_.surfaceArea;
 	r.stretch = result_.stretch;
+	r.leastStretch = result_.leastStretch;
 	r.resolution = result_.resolution;
 	r.coordinateStep = result_.coordinateStep;
 	r.survivesFloat32 = result_.survivesFloat32;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include "code_outline.h"
 #include "outline_flatten.h"
@@ -402,14 +403,47 @@ TextOutline SetInLetters(const std::string& utf8, const TextOptions& options)
 	return text;
 }
 
+TextOutline SetAndMeasure(const std::string& utf8, const TextOptions& options)
+{
+	TextOutline text = options.code == CodeKind::None ? SetInLetters(utf8, options) : SetAsCode(utf8, options);
+	Measure(text, options);
+	return text;
+}
+
+/// Try the size that a refusal names, and a larger one where it does not do: corners that embolden has moved, and gaps on an arc,
+/// do not grow with the letters. None is named where none is found.
+void ProveSize(const std::string& utf8, TextOptions options, TextError& error)
+{
+	constexpr int rounds = 8;
+	constexpr double more = 1.002;  // so that it is reached, not only come near to
+	double& asked = options.fitWidth > 0 ? options.fitWidth : options.size;
+	double& named = options.fitWidth > 0 ? error.fitWidth : error.size;
+	for (int round = 0; round < rounds && std::isfinite(named) && named > asked; ++round) {
+		asked = named;
+		try {
+			SetAndMeasure(utf8, options);
+			return;
+		} catch (const TextError& again) {
+			if (again.code != TextErrorCode::TooThin) break;
+			error.size = more * again.size;
+			error.fitWidth = more * again.fitWidth;
+		}
+	}
+	error.size = std::numeric_limits<double>::infinity();
+}
+
 }  // namespace
 
 TextOutline MakeTextOutline(const std::string& utf8, const TextOptions& options)
 {
 	CheckOptions(options);
-	TextOutline text = options.code == CodeKind::None ? SetInLetters(utf8, options) : SetAsCode(utf8, options);
-	Measure(text, options);
-	return text;
+	try {
+		return SetAndMeasure(utf8, options);
+	} catch (TextError& error) {
+		if (error.code == TextErrorCode::TooThin && (options.embolden != 0 || options.arcRadius != 0))
+			ProveSize(utf8, options, error);
+		throw;
+	}
 }
 
 }  // namespace textlabel

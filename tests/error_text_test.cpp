@@ -61,7 +61,8 @@ TEST(ErrorText, EveryCodeOfTheLibraryHasItsOwn)
 	     {Error(ErrorCode::BehindCamera), Error(ErrorCode::BehindCamera).measured(-2, 0),
 	      Error(ErrorCode::BehindCamera).measured(2, 0), Error(ErrorCode::Silhouette), Error(ErrorCode::Occluded),
 	      Error(ErrorCode::FacesAway), Error(ErrorCode::TooLong).measured(12, 10),
-	      Error(ErrorCode::Grazing).measured(9, 8), Error(ErrorCode::Grazing).measured(INFINITY, 8)}) {
+	      Error(ErrorCode::Squeezed).measured(0.1, 0.125), Error(ErrorCode::Grazing).measured(9, 8),
+	      Error(ErrorCode::Grazing).measured(INFINITY, 8)}) {
 		const std::string text = ErrorText(error, wrapped);
 		ExpectReadable(text);
 		EXPECT_EQ(text.find("ook at the p"), std::string::npos) << text;

@@ -82,10 +82,10 @@ void Count(Board::Worker& w, const std::string& name, long seed)
 
 const char* CodeName(ErrorCode code)
 {
-	constexpr const char* names[] = {"EmptyLabel",  "BadContour",  "BadFrame",     "BadHeight", "EmptyMesh",
-	                                 "TooLarge",    "OffSurface",  "FacesAway",    "Border",    "Silhouette",
-	                                 "NonManifold", "Occluded",    "BehindCamera", "TooLong",   "Grazing",
-	                                 "TooFine",     "HitsSurface", "HitsItself",   "Cancelled", "OutOfMemory"};
+	constexpr const char* names[] = {
+		"EmptyLabel", "BadContour", "BadFrame",   "BadHeight",   "EmptyMesh",  "TooLarge",     "OffSurface",
+		"FacesAway",  "Border",     "Silhouette", "NonManifold", "Occluded",   "BehindCamera", "TooLong",
+		"Grazing",    "Squeezed",   "TooFine",    "HitsSurface", "HitsItself", "Cancelled",    "OutOfMemory"};
 	static_assert(std::size(names) == size_t(ErrorCode::OutOfMemory) + 1);
 	return names[int(code)];
 }

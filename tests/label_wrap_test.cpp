@@ -211,6 +211,26 @@ TEST(LabelWrap, LongerThanTheWayRound)
 	EXPECT_GT(e.value, e.limit);
 }
 
+// As far from the axis as it was measured at, and nearer.
+TEST(LabelWrap, OnThinnerParts)
+{
+	for (const double part : {1.0, 0.3, 0.1}) {
+		const Shape shape = test_mesh::Cylinder(part * radius, 20, 50, 5);
+		FloatMesh m;
+		if (part < LabelOptions().minStretch) {
+			const Error e = Refused(shape, ThreeLetters(), Round());
+			EXPECT_CODE(e, Squeezed);
+			EXPECT_NEAR(e.value, part, 0.01 * part);
+			EXPECT_EQ(e.limit, LabelOptions().minStretch);
+			continue;
+		}
+		test_mesh::Fill(m, shape);
+		const LabelResult result = LabelMesh(m, ThreeLetters(), Round(), Raised(0.1));
+		EXPECT_NEAR(result.leastStretch, part, 0.01 * part);
+		EXPECT_NEAR(result.surfaceArea, part * result.labelArea, 0.01 * part * result.labelArea);
+	}
+}
+
 // Anchored at its left end, the label reaches three quarters round to the right: the cut is opposite to its middle.
 TEST(LabelWrap, AnchoredAtItsEnd)
 {

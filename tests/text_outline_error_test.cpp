@@ -56,6 +56,41 @@ TEST(TextOutline, TooThinNamesTheWidthToFitThatDoes)
 	}
 }
 
+// What embolden adds and an arc bends does not grow with the letters: the size that is named has been tried.
+TEST(TextOutline, TooThinNamesTheSizeThatDoesWhereNotAllGrows)
+{
+	int named = 0;
+	for (const double embolden : {0.02, 0.1, -0.01})
+		for (const double arcRadius : {0.0, 8.0, -8.0})
+			for (const double fitWidth : {0.0, 6.0})
+				for (double TextOptions::*least : {&TextOptions::minStroke, &TextOptions::minGap}) {
+					TextOptions options;
+					options.size = 1;
+					options.fitWidth = fitWidth;
+					options.embolden = embolden;
+					options.arcRadius = arcRadius;
+					options.*least = 0.4;
+					TextError error(TextErrorCode::EmptyText);
+					try {
+						MakeTextOutline("DN 25", options);
+						continue;
+					} catch (const TextError& thin) {
+						error = thin;
+					}
+					ASSERT_EQ(error.code, TextErrorCode::TooThin);
+					const std::string sentence = Sentence(error);
+					if (!std::isfinite(error.size)) {
+						EXPECT_EQ(sentence.find("a size of"), std::string::npos) << sentence;
+						EXPECT_EQ(sentence.find("fit_width"), std::string::npos) << sentence;
+						continue;
+					}
+					++named;
+					(fitWidth > 0 ? options.fitWidth : options.size) = fitWidth > 0 ? error.fitWidth : error.size;
+					EXPECT_NO_THROW(MakeTextOutline("DN 25", options)) << sentence;
+				}
+	EXPECT_GT(named, 12);
+}
+
 TEST(TextErrors, OfTheText)
 {
 	for (const char* text : {"", "   ", "\n\n", "\t \u200B\u00A0", "\u200D"})

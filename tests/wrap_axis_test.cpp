@@ -289,6 +289,40 @@ TEST(WrapRequest, RadiusThatIsGiven)
 	EXPECT_EQ(ProblemOf(request), RequestProblem::NotANumber);
 }
 
+// Moved onto a thinner shaft letters are squeezed: the widths that are asked for are those on the surface.
+TEST(WrapRequest, StrokesOnAThinnerShaft)
+{
+	LabelRequest request = Round();
+	request.text = "III";
+	request.position = {0, 6, 12};
+	request.offsetV = -12;
+	const auto run = [&] {
+		test_mesh::RichMesh m;
+		test_mesh::Fill(m, Turned({3, 3, 3, 10, 10, 10}, 64, 4));
+		const ServiceHost host;
+		ErrorContext context;
+		LabelJob<test_mesh::RichMesh> job(m, LabelFrame::Identity(), host, context);
+		return job.run(request);
+	};
+	const LabelReport report = run();
+	EXPECT_NEAR(report.leastStretch, 0.3, 1e-3);
+	EXPECT_NE(ReportJson(report).find("\"least_stretch\":0.29"), std::string::npos) << ReportJson(report);
+	for (double LabelRequest::*width : {&LabelRequest::minStroke, &LabelRequest::minGap}) {
+		const double flat = width == &LabelRequest::minGap ? report.narrowestGap : report.thinnestStroke;
+		request.*width = 0.2 * flat;
+		EXPECT_NO_THROW(run());
+		request.*width = 0.5 * flat;
+		try {
+			run();
+			ADD_FAILURE() << "no refusal";
+		} catch (const vcg::textlabel::Error& error) {
+			EXPECT_EQ(int(error.code), int(vcg::textlabel::ErrorCode::Squeezed)) << error.what();
+			EXPECT_NEAR(error.value, 0.3, 1e-3);
+		}
+		request.*width = 0;
+	}
+}
+
 TEST(WrapRequest, SizeLeftToTheFilter)
 {
 	LabelRequest request = Round();

@@ -29,6 +29,7 @@ enum class ErrorCode {
 	BehindCamera,  ///< the surface, or the label raised by `value`, reaches behind C; wrapped: to the axis or over the cut
 	TooLong,       ///< wrapped, and longer than the way round the axis: `value` with its margins, `limit` the way
 	Grazing,       ///< too steep to the view: `value` is the stretch, infinite from behind; `limit` the largest allowed
+	Squeezed,  ///< wrapped, where the surface is nearer to the axis: `value` is the stretch, below 1; `limit` the least allowed
 	// the result
 	TooFine,  ///< finer than the coordinates carry: `value` the finest detail, 0: one with the mesh's own; `limit` needed
 	HitsSurface,  ///< the raised or sunk label meets another part of the surface: `limit` is the depth that fits

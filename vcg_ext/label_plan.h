@@ -24,7 +24,9 @@ namespace vcg::textlabel {
 struct LabelOptions {
 	double height = 0;  ///< world units: > 0 raised, < 0 sunk, 0 flat
 	ExtrudeAlong along = ExtrudeAlong::Viewpoint;
-	double maxStretch = 8;     ///< refuse where a letter gets this much longer on the surface than in the plane
+	double maxStretch = 8;  ///< refuse where a letter gets this much longer on the surface than in the plane
+	double minStretch =
+		0.125;  ///< refuse where it gets this much shorter; only a wrapped label does, where the part is thinner
 	bool measureRoom = false;  ///< look for the next surface behind the letters however deep it lies: LabelResult::room
 	int fileDigits = 0;        ///< Precision::fileDigits
 	std::function<bool(int percent)> progress;  ///< may be null; false cancels
@@ -33,10 +35,11 @@ struct LabelOptions {
 struct LabelPlan {
 	CutLabel cut;
 	LabelPatch patch;
-	double stretch = 1;      ///< largest ratio of surface length to label length under the letters
-	double surfaceArea = 0;  ///< of the letters on the surface before raising, world units squared
-	double room = 0;         ///< to the next surface behind the letters, world units; infinite if none was found
-	double resolution = 0;   ///< world units: no point of a contour was moved by more
+	double stretch = 1;       ///< largest ratio of surface length to label length under the letters
+	double leastStretch = 1;  ///< the least one, of a wrapped label
+	double surfaceArea = 0;   ///< of the letters on the surface before raising, world units squared
+	double room = 0;          ///< to the next surface behind the letters, world units; infinite if none was found
+	double resolution = 0;    ///< world units: no point of a contour was moved by more
 	double coordinateStep =
 		0;             ///< world units: between coordinates, where they are largest; what the label was checked on
 	int attempts = 0;  ///< placements tried
@@ -231,7 +234,7 @@ inline bool LabelPlanner::attempt(const Outline& outline, bool last, LabelPlan& 
 		} catch (const PlacementConflict& c) {
 			conflict = c;
 			plan.surfaceArea = 0;
-			plan.stretch = 1;
+			plan.stretch = plan.leastStretch = 1;
 		} catch (const Error& e) {  // a triangle without area has no front: it looks like a horizon
 			if (e.code != ErrorCode::Silhouette || !FlipCaps(sheet_, capsFor(outline, e.face), capUlps * meshUlp_))
 				throw;
@@ -321,6 +324,7 @@ inline void LabelPlanner::measureSurface(LabelPlan& plan) const
 	for (const CutTriangle& t : plan.cut.triangles)
 		if (t.side == Side::Inside) isParent[size_t(t.parent)] = 1;
 	Error steepest(ErrorCode::Grazing, "the surface is steep to the view");
+	Error thinnest(ErrorCode::Squeezed, "the part is thinner than where the label was measured");
 	for (size_t t = 0; t < isParent.size(); ++t) {
 		if (!isParent[t]) continue;
 		const auto& v = sheet_.triangles[t].vertex;
@@ -330,8 +334,14 @@ inline void LabelPlanner::measureSurface(LabelPlan& plan) const
 		const double longest =
 			std::sqrt(std::max({(b - a).SquaredNorm(), (c - b).SquaredNorm(), (a - c).SquaredNorm()}));
 		if (normal.Norm() <= 2 * snap_ * longest) continue;  // thinner than the resolution: its normal says nothing
-		const double stretch =
-			space_.wraps() ? StretchOver(space_, sheet_, sheet_.triangles[t]) : StretchOf(space_, middle, normal);
+		const Stretch over = space_.wraps() ? StretchOver(space_, sheet_, sheet_.triangles[t])
+		                                    : Stretch{StretchOf(space_, middle, normal), 1};
+		const double stretch = over.most;
+		if (over.least < std::min(plan.leastStretch, options_.minStretch))
+			thinnest.atFace(sheet_.triangles[t].face)
+				.atPlace(space_.toMesh(middle))
+				.measured(over.least, options_.minStretch);
+		plan.leastStretch = std::min(plan.leastStretch, over.least);
 		if (stretch > std::max(plan.stretch, options_.maxStretch))
 			steepest.atFace(sheet_.triangles[t].face)
 				.atPlace(space_.toMesh(middle))
@@ -339,6 +349,7 @@ inline void LabelPlanner::measureSurface(LabelPlan& plan) const
 		plan.stretch = std::max(plan.stretch, stretch);
 	}
 	if (steepest.hasPlace) throw steepest;
+	if (thinnest.hasPlace) throw thinnest;
 	const auto unbent = [&](int point) {  // world units, along the axes of the frame
 		const SheetPoint& p = plan.cut.points.at(sheet_, point);
 		return space_.wraps() ? space_.inFrame(p.mesh) : p.label;
