@@ -163,7 +163,8 @@ const std::vector<Parameter>& ParameterTable()
 	     &R::color},
 		{"max_stretch", "Largest stretch",
 	     "A surface that is steep to the view stretches the letters. The label is refused where a length on "
-	     "the surface is more than so many times the length in the label.",
+	     "the surface is more than so many times the length in the label; a wrapped one also where it is so many times "
+	     "less.",
 	     &R::maxStretch, Use::Value, advanced},
 		{"file_digits", "Digits of the file",
 	     "For a file format that keeps fewer digits than single precision has: the label is made so that it is right "

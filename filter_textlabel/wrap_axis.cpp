@@ -180,10 +180,9 @@ bool IsBehindMiddle(const SurfacePatch& surface, const Axis& axis)
 /// In squares that grow until enough of the arc is seen, or other things that do not belong to it.
 std::optional<Axis> FindAxis(const LabelFrame& frame, double diagonal, const SurfaceAround& surface)
 {
-	constexpr double first = 1.0 / 64, enough = 1.2, least = 0.05;  // of the diagonal; radians
-	constexpr double rougher = 2, rough = 0.05, mostTowards = 0.5;  // times; sines
-	constexpr double known = 0.3, clean = 0.01, same = 0.995,
-					 little = 0.005;  // radians; sine; cosine of six degrees; sine
+	constexpr double first = 1.0 / 64, enough = 1.2, least = 0.05;             // of the diagonal; radians
+	constexpr double rougher = 2, rough = 0.05, mostTowards = 0.5;             // times; sines
+	constexpr double known = 0.3, same = 0.995, clean = 0.01, little = 0.005;  // radians; cosine; sines
 	std::optional<Axis> found;
 	for (double halfSide = first * diagonal; halfSide < 2 * diagonal; halfSide *= 2) {
 		const SurfacePatch patch = surface(frame, halfSide);

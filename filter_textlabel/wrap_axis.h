@@ -4,7 +4,7 @@
 // A turned part shows its axis: every normal of its surface meets it. The axis is the line that comes nearest to the normals around a
 // place. They are taken on the edges over which the surface bends, halfway between the two faces: at the middle of such an edge they
 // meet the axis of a coarse part, too. At its ends they do so when it runs along the part, but only nearly when it runs round it; the
-// ends are asked where all middles are at one height, as on a nut or a cone of a single row of facets.
+// ends have a small say, which decides where all middles are at one height, as on a nut or a cone of a single row of facets.
 // Source: H. Pottmann, T. Randrup, "Rotational and helical surface approximation for reverse engineering", Computing 60 (1998).
 
 #include "vcg_ext/label_frame.h"

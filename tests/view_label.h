@@ -105,11 +105,11 @@ inline double SilhouetteWidth(const Part& part, const textlabel::LabelRequest& r
 
 inline const char* NameOf(vcg::textlabel::ErrorCode code)
 {
-	constexpr const char* names[] = {"empty label",    "bad contour",  "bad frame",       "bad height",
-	                                 "empty mesh",     "too large",    "beside the part", "shows its back",
-	                                 "border",         "horizon",      "not manifold",    "hidden",
-	                                 "behind camera",  "too long",     "too steep",       "too fine",
-	                                 "meets the part", "meets itself", "cancelled",       "out of memory"};
+	constexpr const char* names[] = {"empty label",  "bad contour",     "bad frame",      "bad height",   "empty mesh",
+	                                 "too large",    "beside the part", "shows its back", "border",       "horizon",
+	                                 "not manifold", "hidden",          "behind camera",  "too long",     "too steep",
+	                                 "squeezed",     "too fine",        "meets the part", "meets itself", "cancelled",
+	                                 "out of memory"};
 	static_assert(std::size(names) == size_t(vcg::textlabel::ErrorCode::OutOfMemory) + 1);
 	return names[int(code)];
 }
