@@ -12,6 +12,9 @@ namespace {
 using vcg::Point3d;
 using vcg::textlabel::LabelFrame;
 
+/// What an end says of an axis, times what a middle says: see wrap_axis.h.
+constexpr double kSayOfEnds = 0.01;
+
 struct Axis {
 	Point3d direction;     ///< unit
 	Point3d point;         ///< on it
@@ -112,8 +115,8 @@ Eigen::MatrixXd LeastSeen(const Eigen::Matrix3d& cost)
 /// for what rounded coordinates do to the normals; that would decide.
 Eigen::Vector3d DirectionOf(const Turns& ofMiddles, const Turns& ofEnds, std::initializer_list<Eigen::Vector3d> wishes)
 {
-	constexpr double enough = 0.5, say = 0.01;  // of a wish that is met; times that of the middles
-	const Eigen::MatrixXd least = LeastSeen(ofMiddles.cost() + say * ofEnds.cost());
+	constexpr double enough = 0.5;  // of a wish that is met
+	const Eigen::MatrixXd least = LeastSeen(ofMiddles.cost() + kSayOfEnds * ofEnds.cost());
 	for (const Eigen::Vector3d& wish : wishes) {
 		const Eigen::Vector3d met = least * (least.transpose() * wish);
 		if (met.norm() > enough) return met.normalized();
@@ -130,12 +133,13 @@ Axis AxisAlong(const Eigen::Vector3d& direction, const Turns& turns, const Surfa
 	double squares = 0, weight = 0;
 	Sector places(axis.direction, FromEigen(-center)), normals(axis.direction, frame.w);
 	for (const FoldPoint& e : surface.folds) {
-		if (e.isEnd) continue;
 		Point3d across = e.point - axis.point;
 		across -= axis.direction * (across * axis.direction);
 		const double sine = (axis.direction ^ across) * e.normal / across.Norm();
-		squares += e.weight * sine * sine;
-		weight += e.weight;
+		const double say = e.weight * (e.isEnd ? kSayOfEnds : 1);
+		squares += say * sine * sine;
+		weight += say;
+		if (e.isEnd) continue;
 		places.add(across);
 		normals.add(e.normal);
 	}

@@ -152,6 +152,27 @@ TEST(WrapAxis, BesideAFlatAndNotOnIt)
 	for (const double x : {0.0, 1.5, 3.0, 4.0}) EXPECT_TRUE(HasNoAxis(shaft, At({x, 0, 8}, {0, 0, 1}))) << x;
 }
 
+// A T: in a larger square the branch comes into sight, whose own axis all that is seen then fits nearly as well.
+TEST(WrapAxis, BesideABranch)
+{
+	for (const int sides : {24, 48}) {
+		test_mesh::DoubleMesh run, branch;
+		test_mesh::Fill(run, Turned({10, 10}, sides, 30));
+		test_mesh::Fill(
+			branch, Turned({6, 6}, 32, 15).moved([](const Point3d& p) { return Point3d(17.5 + p[1], -p[0], p[2]); }));
+		const double a = M_PI / sides, r = 10 * std::cos(a);
+		const Point3d towards(std::sin(a), 0, std::cos(a));
+		const SurfaceAround surface = [&](const LabelFrame& f, double halfSide) {
+			SurfacePatch patch = CollectSurface(run, f, halfSide);
+			if (halfSide < 8) return patch;
+			const SurfacePatch more = CollectSurface(branch, At({17.5, 0, 6}, {0, 0, 1}), halfSide);
+			patch.folds.insert(patch.folds.end(), more.folds.begin(), more.folds.end());
+			return patch;
+		};
+		ExpectAxis(WrappedFrame(At(towards * r + Point3d(0, 11, 0), towards), 50, surface), {0, 1, 0}, r);
+	}
+}
+
 TEST(WrapAxis, InPerspective)
 {
 	LabelFrame frame = At({0, 0, 10}, {0.1, 0.1, 1});
