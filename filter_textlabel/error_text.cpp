@@ -86,8 +86,10 @@ std::string PlaceText(const Error& error, const ErrorContext& context)
 	case ErrorCode::FacesAway:
 		return letter + " meets the back of the surface" + where +
 		       (context.isWrapped
-		            ? ". It runs over a hole or a step: move it. Or it is not read from outside its axis (in a pipe, "
-		              "from it), or the part's faces are turned inside out: then run "
+		            ? ". It runs over a hole or a step: move it. Or it lies on the wrong side of its axis: it is read "
+		              "from outside, in a pipe from the axis (direction, or the sign of wrap_radius). Or the part's "
+		              "faces "
+		              "are turned inside out: then run "
 		            : ". Look at the part from outside; when it looks right there, its faces are turned inside "
 		              "out: run ") +
 		       orientFaces + " or " + invertFaces + " first.";
@@ -141,11 +143,10 @@ std::string PlaceText(const Error& error, const ErrorContext& context)
 		       ", or raise max_stretch.";
 	case ErrorCode::Squeezed:
 		return letter + " lies nearer to the axis than the place of the label" + where + ": it would be " +
-		       FigureBelow(error.value) + " times as long as it was measured, and has to be " +
+		       FigureBelow(error.value) + " times as wide as it was measured, and has to be " +
 		       FigureAbove(error.limit) +
-		       " times. Move the label to where the part is as thick, make the text larger (size), or lower min_stroke "
-		       "and "
-		       "min_gap, or raise max_stretch.";
+		       " times. Move the label to where the part is as thick. Or, where min_stroke or min_gap ask for it, make "
+		       "the text larger (size) or lower them; else raise max_stretch.";
 	case ErrorCode::TooFine:
 		if (!(error.value > 0))
 			return letter + " meets corners or edges of the mesh" + where +
@@ -162,7 +163,8 @@ std::string PlaceText(const Error& error, const ErrorContext& context)
 		       Figure(std::abs(context.depth)) + Room(error) + ". " + UseDepth(error) + ", or move the label.";
 	case ErrorCode::HitsItself:
 		return letter + " would fold or cut itself" + where + " at depth " + Figure(std::abs(context.depth)) +
-		       Room(error) + ". " + UseDepth(error) + (context.isWrapped ? "." : ", or extrude along the viewpoint.");
+		       Room(error) + ". " + UseDepth(error) +
+		       (context.isAlongView ? "." : ", or extrude along the viewpoint (extrude_along).");
 	default: return letter + " was refused" + where + ".";
 	}
 }

@@ -17,6 +17,7 @@ struct ErrorContext {
 	bool isMade = false;               ///< the label is in the mesh: what failed came after it
 	int fileDigits = 0;                ///< LabelOptions::fileDigits
 	bool isWrapped = false;            ///< round an axis
+	bool isAlongView = false;          ///< it is extruded along the viewpoint
 };
 
 /// "The letter 'B' runs over a border of the surface near (1, 2, 3). Move the label, or ..."

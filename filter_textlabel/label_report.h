@@ -37,7 +37,7 @@ struct LabelReport {
 	int touchedTriangles = 0;
 	double labelArea = 0, surfaceArea = 0;  ///< in the label plane; on the surface, world units squared
 	double stretch = 1;                     ///< largest surface length over label length
-	double leastStretch = 1;                ///< the least one, of a wrapped label
+	double leastStretch = 1;                ///< LabelResult::leastStretch
 	double resolution = 0;                  ///< no contour point was moved by more, world units
 	double coordinateStep = 0;    ///< between the largest coordinates, world units; the label was checked on it
 	bool survivesFloat32 = true;  ///< false: in a file of single precision, as STL, the letters would be spoilt

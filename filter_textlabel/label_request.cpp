@@ -290,9 +290,9 @@ TextOptions TextOptionsOf(const LabelRequest& request, double size)
 
 double LeastStretch(const LabelRequest& request, const TextOutline& outline)
 {
-	constexpr double chords = 0.95;  // over arcs, of six facets all the way round
+	constexpr double rounding = 1e-4;  // of coordinates: a label where it was measured is none the thinner for it
 	const auto needed = [](double asked, const Narrowest& has) {
-		return asked > 0 && has.width > 0 ? chords * asked / has.width : 0;
+		return asked > 0 && has.width > 0 ? (1 - rounding) * asked / has.width : 0;
 	};
 	return std::max({1 / request.maxStretch, needed(request.minStroke, outline.thinnestStroke),
 	                 needed(request.minGap, outline.narrowestGap)});

@@ -155,7 +155,8 @@ void SetMore(LabelRequest& request, const std::string& text);
 /// How the text is to be set at a capital height.
 TextOptions TextOptionsOf(const LabelRequest& request, double size);
 
-/// The least stretch at which letters keep the strokes and gaps that are asked for: a wrapped label may lie where the part is thinner.
+/// How thin a part may be under a wrapped label (LabelOptions::minStretch): so that letters keep the strokes and gaps that are asked
+/// for, and shrink no more than they may stretch.
 double LeastStretch(const LabelRequest& request, const TextOutline& outline);
 
 /// Defaults for a part in a window: a size and a depth to start from, the point of view that the user sees.

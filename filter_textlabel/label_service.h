@@ -246,6 +246,7 @@ void LabelJob<MeshType>::labelAtDepth(const LabelRequest& request, const TextOut
 {
 	height_ = request.style == LabelStyle::Emboss ? depth : request.style == LabelStyle::Engrave ? -depth : 0;
 	context_.depth = height_;
+	context_.isAlongView = request.extrudeAlong == ExtrudeDirection::Viewpoint;
 	vcg::textlabel::LabelOptions options;
 	options.height = height_;
 	options.along = vcg::textlabel::ExtrudeAlong(request.extrudeAlong);

@@ -155,8 +155,12 @@ const std::vector<Parameter>& ParameterTable()
 	     "Take characters that the font lacks from other installed fonts, instead of refusing the text.",
 	     &R::fallbackFonts, Use::Value, advanced},
 		{"min_stroke", "Thinnest stroke (mesh units)",
-	     "Refuse the text when a stroke is thinner than this. 0: not checked.", &R::minStroke, Use::Value, advanced},
-		{"min_gap", "Narrowest gap (mesh units)", "Refuse the text when a gap is narrower than this. 0: not checked.",
+	     "Refuse the text when a stroke is thinner than this, of a wrapped label where the part is thinnest. 0: not "
+	     "checked.",
+	     &R::minStroke, Use::Value, advanced},
+		{"min_gap", "Narrowest gap (mesh units)",
+	     "Refuse the text when a gap is narrower than this, of a wrapped label where the part is thinnest. 0: not "
+	     "checked.",
 	     &R::minGap, Use::Value, advanced},
 		{"tint", "Colour raised and sunk letters", "Colour the faces of an embossed or engraved label too.", &R::tint},
 		{"color", "Colour", "Face colour of a flat label, and of others when Colour raised and sunk letters is on.",

@@ -429,7 +429,7 @@ void ProveSize(const std::string& utf8, TextOptions options, TextError& error)
 			error.fitWidth = more * again.fitWidth;
 		}
 	}
-	error.size = std::numeric_limits<double>::infinity();
+	named = error.size = std::numeric_limits<double>::infinity();
 }
 
 }  // namespace

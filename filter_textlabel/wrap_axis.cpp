@@ -16,11 +16,12 @@ using vcg::textlabel::LabelFrame;
 constexpr double kSayOfEnds = 0.01;
 
 struct Axis {
-	Point3d direction;     ///< unit
-	Point3d point;         ///< on it
-	double radius = 0;     ///< from the place to it
-	double roughness = 0;  ///< root mean square of the sines between the normals and the planes through the axis
-	double arc = 0;        ///< radians round it over which the surface is seen, and its normals turn
+	Point3d direction;  ///< unit
+	Point3d point;      ///< on it
+	double radius = 0;  ///< from the place to it
+	double roughness =
+		0;  ///< root mean square of the sines between the normals and the planes through the axis; ends count little
+	double arc = 0;  ///< radians round it over which the surface is seen, and its normals turn
 };
 
 Eigen::Vector3d ToEigen(const Point3d& p) { return {p[0], p[1], p[2]}; }
@@ -51,6 +52,7 @@ private:
 class Turns {
 public:
 	/// @param[in] unit  of length, so that turns and moves weigh alike
+	/// @param[in] ofEnds  the ends of the folds, else their middles
 	Turns(const SurfacePatch& surface, const Point3d& place, double unit, bool ofEnds) : unit_(unit)
 	{
 		Eigen::Matrix3d turns = Eigen::Matrix3d::Zero();
@@ -128,6 +130,7 @@ Eigen::Vector3d DirectionOf(const Turns& ofMiddles, const Turns& ofEnds, std::in
 Axis AxisAlong(const Eigen::Vector3d& direction, const Turns& turns, const SurfacePatch& surface,
                const LabelFrame& frame)
 {
+	constexpr double onAxis = 0.1;  // of the radius: the tip of a cone has no plane through the axis
 	const Eigen::Vector3d center = direction.cross(turns.move(direction));
 	Axis axis{FromEigen(direction), frame.origin + FromEigen(center), center.norm()};
 	double squares = 0, weight = 0;
@@ -135,6 +138,7 @@ Axis AxisAlong(const Eigen::Vector3d& direction, const Turns& turns, const Surfa
 	for (const FoldPoint& e : surface.folds) {
 		Point3d across = e.point - axis.point;
 		across -= axis.direction * (across * axis.direction);
+		if (e.isEnd && across.Norm() < onAxis * axis.radius) continue;
 		const double sine = (axis.direction ^ across) * e.normal / across.Norm();
 		const double say = e.weight * (e.isEnd ? kSayOfEnds : 1);
 		squares += say * sine * sine;

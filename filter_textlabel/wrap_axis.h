@@ -80,10 +80,10 @@ struct SeenSurface {
 		constexpr double leastCosine = 0.2;
 		return sheet.triangles[size_t(t)].facing && normal[size_t(t)][2] > leastCosine * normal[size_t(t)].Norm();
 	}
-	/// The triangles around one that lie in its plane, as far as rounded coordinates tell.
+	/// The triangles around one that lie in its plane, as far as rounded coordinates tell, and slivers between them.
 	std::vector<int> facetOf(int start) const
 	{
-		constexpr double flat = 0.02;  // radians
+		constexpr double alike = 0.02, sliver = 1e-6;  // radians; of the area
 		std::vector<int> facet{start};
 		std::vector<char> isSeen(sheet.triangles.size(), 0);
 		isSeen[size_t(start)] = 1;
@@ -93,7 +93,8 @@ struct SeenSurface {
 				const int t = sheet.twin[size_t(h)] / 3;
 				if (sheet.twin[size_t(h)] < 0 || isSeen[size_t(t)]) continue;
 				const vcg::Point3d& other = normal[size_t(t)];
-				if (!(n * other > 0 && (n ^ other).Norm() < flat * (n * other))) continue;
+				const bool isSliver = other.Norm() < sliver * n.Norm();
+				if (!isSliver && !(n * other > 0 && (n ^ other).Norm() < alike * (n * other))) continue;
 				isSeen[size_t(t)] = 1;
 				facet.push_back(t);
 			}

@@ -231,6 +231,50 @@ TEST(LabelWrap, OnThinnerParts)
 	}
 }
 
+// A vertex on the diagonal of a nut's side, with a cap beside it: unrolling bends the diagonal, so that there the cap has an area.
+TEST(LabelWrap, OverACapOnAWideFacet)
+{
+	Shape nut = test_mesh::Cylinder(radius, 10, 6, 1);
+	const auto turn = [](const Point3d& p) { return std::atan2(p[0], p[2]) * 180 / M_PI; };
+	const size_t faces = nut.faces.size();
+	int capped = 0;
+	for (size_t f = 0; f < faces && capped == 0; ++f)
+		for (size_t k = 0; k < 3; ++k) {
+			const int from = nut.faces[f][k], to = nut.faces[f][(k + 1) % 3];
+			const Point3d a = nut.points[size_t(from)], b = nut.points[size_t(to)];
+			const bool isDiagonal =
+				std::abs(turn(a) + turn(b) - 60) < 1 && std::abs(turn(a) - turn(b)) > 50 && std::abs(a[1] - b[1]) > 9;
+			if (!isDiagonal) continue;
+			for (size_t g = 0; g < faces; ++g)
+				for (size_t i = 0; i < 3; ++i) {
+					auto& face = nut.faces[g];
+					if (face[i] != to || face[(i + 1) % 3] != from) continue;
+					const int beyond = face[(i + 2) % 3], middle = nut.add(a * 0.75 + b * 0.25);
+					face = {to, middle, beyond};
+					nut.faces.push_back({middle, from, beyond});
+					nut.faces.push_back({to, from, middle});
+					++capped;
+					const double side = radius * std::cos(M_PI / 6);
+					LabelFrame frame = Round(side);
+					const Point3d towards(0.5, 0, std::sqrt(0.75));
+					frame.w = towards;
+					frame.u = frame.v ^ frame.w;
+					frame.origin = towards * side;
+					FloatMesh m;
+					test_mesh::Fill(m, nut);
+					const Point3d p = nut.points[size_t(middle)];
+					const double u = p * frame.u, v = p[1];
+					const Outline letter = Letters({Rectangle(u - 1, v - 0.8, u + 1.2, v + 1)});
+					LabelResult result;
+					ASSERT_NO_THROW(result = LabelMesh(m, letter, frame, Raised(0.3)));
+					EXPECT_GT(result.leastStretch, 0.99);
+					ExpectSameKind(nut, m);
+					return;
+				}
+		}
+	ADD_FAILURE() << "no diagonal";
+}
+
 // Anchored at its left end, the label reaches three quarters round to the right: the cut is opposite to its middle.
 TEST(LabelWrap, AnchoredAtItsEnd)
 {

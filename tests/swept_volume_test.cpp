@@ -260,6 +260,10 @@ TEST(SweptVolume, TellsEveryPointOfAGrid)
 					                                        : Whereabouts::Outside;
 					ASSERT_TRUE(swept.volume.mayHold({x, y, z}));
 					ASSERT_EQ(int(swept.volume.find({x, y, z})), int(expected)) << x << ' ' << y << ' ' << z;
+					for (size_t way = 0; way < detail::SweptVolume::directions.size(); ++way) {
+						const Whereabouts found = swept.volume.findAlong({x, y, z}, way);
+						if (found != Whereabouts::Unclear) { ASSERT_EQ(int(found), int(expected)) << way; }
+					}
 					const Whereabouts first = swept.volume.findAlong({x, y, z}, 0);
 					unclearAtFirst += first == Whereabouts::Unclear && expected != first;
 					inside += expected == Whereabouts::Inside;

@@ -25,8 +25,8 @@ struct LabelOptions {
 	double height = 0;  ///< world units: > 0 raised, < 0 sunk, 0 flat
 	ExtrudeAlong along = ExtrudeAlong::Viewpoint;
 	double maxStretch = 8;  ///< refuse where a letter gets this much longer on the surface than in the plane
-	double minStretch =
-		0.125;  ///< refuse where it gets this much shorter; only a wrapped label does, where the part is thinner
+	/// Refuse a wrapped label where the part is so much thinner than its cylinder: LabelResult::leastStretch.
+	double minStretch = 0.125;
 	bool measureRoom = false;  ///< look for the next surface behind the letters however deep it lies: LabelResult::room
 	int fileDigits = 0;        ///< Precision::fileDigits
 	std::function<bool(int percent)> progress;  ///< may be null; false cancels
@@ -35,11 +35,12 @@ struct LabelOptions {
 struct LabelPlan {
 	CutLabel cut;
 	LabelPatch patch;
-	double stretch = 1;       ///< largest ratio of surface length to label length under the letters
-	double leastStretch = 1;  ///< the least one, of a wrapped label
-	double surfaceArea = 0;   ///< of the letters on the surface before raising, world units squared
-	double room = 0;          ///< to the next surface behind the letters, world units; infinite if none was found
-	double resolution = 0;    ///< world units: no point of a contour was moved by more
+	double stretch = 1;  ///< largest ratio of surface length to label length under the letters
+	double leastStretch =
+		1;  ///< of a wrapped label: least distance of the letters from the axis over the radius; at most 1
+	double surfaceArea = 0;  ///< of the letters on the surface before raising, world units squared
+	double room = 0;         ///< to the next surface behind the letters, world units; infinite if none was found
+	double resolution = 0;   ///< world units: no point of a contour was moved by more
 	double coordinateStep =
 		0;             ///< world units: between coordinates, where they are largest; what the label was checked on
 	int attempts = 0;  ///< placements tried
@@ -97,6 +98,7 @@ private:
 	bool attempt(const Outline& outline, bool last, LabelPlan& plan, PlacementConflict& conflict);
 	void finish(LabelPlan& plan, bool last) const;
 	void measureSurface(LabelPlan& plan) const;
+	void measureThinness(const std::vector<IndexTriangle>& inside, LabelPlan& plan) const;
 	void checkRoom(LabelPlan& plan) const;
 	bool staysOnRays() const;
 	void requireOutward(const LabelPatch& patch) const;
@@ -324,7 +326,6 @@ inline void LabelPlanner::measureSurface(LabelPlan& plan) const
 	for (const CutTriangle& t : plan.cut.triangles)
 		if (t.side == Side::Inside) isParent[size_t(t.parent)] = 1;
 	Error steepest(ErrorCode::Grazing, "the surface is steep to the view");
-	Error thinnest(ErrorCode::Squeezed, "the part is thinner than where the label was measured");
 	for (size_t t = 0; t < isParent.size(); ++t) {
 		if (!isParent[t]) continue;
 		const auto& v = sheet_.triangles[t].vertex;
@@ -334,14 +335,8 @@ inline void LabelPlanner::measureSurface(LabelPlan& plan) const
 		const double longest =
 			std::sqrt(std::max({(b - a).SquaredNorm(), (c - b).SquaredNorm(), (a - c).SquaredNorm()}));
 		if (normal.Norm() <= 2 * snap_ * longest) continue;  // thinner than the resolution: its normal says nothing
-		const Stretch over = space_.wraps() ? StretchOver(space_, sheet_, sheet_.triangles[t])
-		                                    : Stretch{StretchOf(space_, middle, normal), 1};
-		const double stretch = over.most;
-		if (over.least < std::min(plan.leastStretch, options_.minStretch))
-			thinnest.atFace(sheet_.triangles[t].face)
-				.atPlace(space_.toMesh(middle))
-				.measured(over.least, options_.minStretch);
-		plan.leastStretch = std::min(plan.leastStretch, over.least);
+		const double stretch =
+			space_.wraps() ? StretchOver(space_, sheet_, sheet_.triangles[t]) : StretchOf(space_, middle, normal);
 		if (stretch > std::max(plan.stretch, options_.maxStretch))
 			steepest.atFace(sheet_.triangles[t].face)
 				.atPlace(space_.toMesh(middle))
@@ -349,15 +344,34 @@ inline void LabelPlanner::measureSurface(LabelPlan& plan) const
 		plan.stretch = std::max(plan.stretch, stretch);
 	}
 	if (steepest.hasPlace) throw steepest;
-	if (thinnest.hasPlace) throw thinnest;
 	const auto unbent = [&](int point) {  // world units, along the axes of the frame
 		const SheetPoint& p = plan.cut.points.at(sheet_, point);
 		return space_.wraps() ? space_.inFrame(p.mesh) : p.label;
 	};
-	for (const IndexTriangle& t : detail::InsideTriangles(sheet_, plan.cut)) {
+	const std::vector<IndexTriangle> inside = detail::InsideTriangles(sheet_, plan.cut);
+	for (const IndexTriangle& t : inside) {
 		const vcg::Point3d a = unbent(t[0]);
 		plan.surfaceArea += ((unbent(t[1]) - a) ^ (unbent(t[2]) - a)).Norm() / 2;
 	}
+	if (space_.wraps()) measureThinness(inside, plan);
+}
+
+/// Where the part is thinner than the label's cylinder, the way round is shorter, and so are the letters.
+inline void LabelPlanner::measureThinness(const std::vector<IndexTriangle>& inside, LabelPlan& plan) const
+{
+	const SheetPoint* thinnest = nullptr;
+	for (const IndexTriangle& t : inside)
+		for (const int point : t) {
+			const SheetPoint& p = plan.cut.points.at(sheet_, point);
+			const double stretch = space_.distanceFromAxis(p.label[2]) / space_.distanceFromAxis(0);
+			if (!(stretch < plan.leastStretch)) continue;
+			plan.leastStretch = stretch;
+			thinnest = &p;
+		}
+	if (plan.leastStretch < options_.minStretch)
+		throw Error(ErrorCode::Squeezed, "the part is thinner than where the label was measured")
+			.atPlace(thinnest->mesh)
+			.measured(plan.leastStretch, options_.minStretch);
 }
 
 inline void LabelPlanner::checkRoom(LabelPlan& plan) const

@@ -53,19 +53,13 @@ inline vcg::Point3d SeenAt(const LabelSpace& space, const Sheet& sheet, const vc
 	return space.toMesh(seen);
 }
 
-/// How many times as long as in the label plane lengths are on the surface.
-struct Stretch {
-	double most = std::numeric_limits<double>::infinity(), least = 0;
-};
-
 namespace detail {
 
-/// The singular values of the map that takes the label plane's axes to u and v.
-inline Stretch StretchOfAxes(const vcg::Point3d& u, const vcg::Point3d& v)
+/// The largest singular value of the map that takes the label plane's axes to u and v.
+inline double LargestStretch(const vcg::Point3d& u, const vcg::Point3d& v)
 {
-	const double mean = (u * u + v * v) / 2, half = (u * u - v * v) / 2,
-				 most = std::sqrt(mean + std::hypot(half, u * v));
-	return {most, (u ^ v).Norm() / most};
+	const double mean = (u * u + v * v) / 2, half = (u * u - v * v) / 2;
+	return std::sqrt(mean + std::hypot(half, u * v));
 }
 
 }  // namespace detail
@@ -81,20 +75,19 @@ inline double StretchOf(const LabelSpace& space, const vcg::Point3d& at, const v
 	// a step along u or v in the label plane, scaled to this depth and carried along the ray to the surface
 	const vcg::Point3d u = vcg::Point3d(1, 0, 0) - towards * (normal[0] / cosine),
 					   v = vcg::Point3d(0, 1, 0) - towards * (normal[1] / cosine);
-	return detail::StretchOfAxes(u, v).most / space.magnification(at);
+	return detail::LargestStretch(u, v) / space.magnification(at);
 }
 
-/// How many times as long, at most and at least, where a label is wrapped, over a triangle: unrolled, it is as wide as its corners are
-/// far round the axis.
-inline Stretch StretchOver(const LabelSpace& space, const Sheet& sheet, const SheetTriangle& t)
+/// The same of a wrapped label, over a triangle: unrolled, it is as wide as its corners are far round the axis.
+inline double StretchOver(const LabelSpace& space, const Sheet& sheet, const SheetTriangle& t)
 {
 	const auto vertex = [&](size_t k) -> const SheetVertex& { return sheet.vertices[size_t(t.vertex[k])]; };
 	const vcg::Point3d a = space.inFrame(vertex(0).mesh), b = space.inFrame(vertex(1).mesh) - a,
 					   c = space.inFrame(vertex(2).mesh) - a;
 	const vcg::Point2d p = vertex(1).plane - vertex(0).plane, q = vertex(2).plane - vertex(0).plane;
 	const double area = p ^ q;
-	if (!(area > 0)) return {};
-	return detail::StretchOfAxes((b * q[1] - c * p[1]) / area, (c * p[0] - b * q[0]) / area);
+	if (!(area > 0)) return std::numeric_limits<double>::infinity();
+	return detail::LargestStretch((b * q[1] - c * p[1]) / area, (c * p[0] - b * q[0]) / area);
 }
 
 }  // namespace vcg::textlabel

@@ -22,12 +22,13 @@ struct LabelResult {
 	std::vector<int> outsideFaces;  ///< pieces of cut triangles outside the letters, and caps flipped beside these
 	int touchedFaces = 0;           ///< triangles of the mesh that were cut or flipped, or lie within a letter
 	int newVertices = 0, newFaces = 0;
-	int firstNewVertex = 0;   ///< index of the first new vertex; the rest follow
-	double labelArea = 0;     ///< in the label plane, world units squared
-	double surfaceArea = 0;   ///< of the letters on the surface before raising, world units squared
-	double addedVolume = 0;   ///< after minus before, mesh units cubed
-	double stretch = 1;       ///< largest ratio of surface length to label length under the letters
-	double leastStretch = 1;  ///< the least one, of a wrapped label
+	int firstNewVertex = 0;  ///< index of the first new vertex; the rest follow
+	double labelArea = 0;    ///< in the label plane, world units squared
+	double surfaceArea = 0;  ///< of the letters on the surface before raising, world units squared
+	double addedVolume = 0;  ///< after minus before, mesh units cubed
+	double stretch = 1;      ///< largest ratio of surface length to label length under the letters
+	double leastStretch =
+		1;  ///< of a wrapped label: least distance of the letters from the axis over the radius; at most 1
 	double room =
 		0;  ///< to the next surface behind the letters along the rays, world units; infinite when there is none, and
 			///< when none lies within the depth and LabelOptions::measureRoom is off

@@ -161,7 +161,8 @@ inline int WidestAxis(const Corners& t)
 	return x > y && x > z ? 0 : y > z ? 1 : 2;
 }
 
-/// Whether an edge line of `a`, seen along an axis, keeps b on its far side, but for a corner that the edge shares with it.
+/// Whether an edge line of `a`, seen along an axis, keeps b on its far side, but for a corner that the edge shares with it. As
+/// EdgeSeparation, for triangles that are not turned, so that their corners keep their numbers.
 /// @param[in] turn  the orientation of a, seen so; not 0
 /// @param[in] cornerA, cornerB  the shared corner in both; -1: none
 inline bool EdgeKeepsOut(const Flat& a, int cornerA, int turn, const Flat& b, int cornerB)
@@ -178,8 +179,9 @@ inline bool EdgeKeepsOut(const Flat& a, int cornerA, int turn, const Flat& b, in
 	return false;
 }
 
-/// Whether two triangles, seen along an axis, have nothing in common but what they share; false tells nothing. Pieces of one facet
-/// are seen so, which rounding has left so nearly in one plane that only exact arithmetic could tell the sides of their planes.
+/// Whether two triangles, seen along an axis, have nothing in common but what they share; false tells nothing. Neither is seen edge-on,
+/// so each point that is seen is one point of a triangle, and what has no place in common there has none in space. It saves exact
+/// arithmetic for the pieces of a facet: rounding leaves them so nearly in one plane that no filter can tell its sides.
 inline bool AreSeenApart(const Corners& a, const Corners& b, const SharedCorners& shared)
 {
 	const int axis = WidestAxis(a);
@@ -276,7 +278,7 @@ inline Contact ContactWithinBoxes(const Corners& a, const Corners& b)
 	if (detail::AreSeenApart(a, b, shared)) return apart;
 	if (shared.count == 2) {
 		const size_t apex = static_cast<size_t>(3 - shared.inB[0] - shared.inB[1]);
-		// Neighbours out of one plane, the most frequent case of all, meet along their common edge and nowhere else.
+		// Neighbours out of one plane meet along their common edge and nowhere else.
 		if (apex < 3 && Orient3d(a[0], a[1], a[2], b[apex]) != 0) return apart;
 		return detail::CoplanarContact(a, b, shared);
 	}

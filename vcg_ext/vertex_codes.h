@@ -5,7 +5,6 @@
 #include "parallel_chunks.h"
 
 #include <cstdint>
-#include <cstring>
 #include <optional>
 #include <vector>
 
@@ -64,7 +63,9 @@ public:
 	}
 
 private:
-	static constexpr double slack = 1e-9, farFromAxis = 1e-2, largest = 1e300;
+	static constexpr double slack = 1e-9;        // turns: far more than rounding
+	static constexpr double farFromAxis = 1e-2;  // of the circumference: where LabelSpace::isInFront needs no asking
+	static constexpr double largest = 1e300;     // no sum overflows
 
 	/// -2 .. 2, in the order of the angles -pi .. pi.
 	static double turnOf(const vcg::Point2d& p, double size)
@@ -82,8 +83,9 @@ private:
 
 	const LabelSpace space_;
 	const PlaneBox window_;
-	double first_, last_, least_;
-	unsigned before_, beyond_;
+	double first_, last_;       ///< turns at the ends of the window, in the order of the angles
+	double least_;              ///< size of a point that is plainly off the axis
+	unsigned before_, beyond_;  ///< codes of what is turned less, or more
 };
 
 /// Codes of vertices are looked through by so many at a time.
