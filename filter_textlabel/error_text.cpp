@@ -88,8 +88,7 @@ std::string PlaceText(const Error& error, const ErrorContext& context)
 		       (context.isWrapped
 		            ? ". It runs over a hole or a step: move it. Or it lies on the wrong side of its axis: it is read "
 		              "from outside, in a pipe from the axis (direction, or the sign of wrap_radius). Or the part's "
-		              "faces "
-		              "are turned inside out: then run "
+		              "faces are turned inside out: then run "
 		            : ". Look at the part from outside; when it looks right there, its faces are turned inside "
 		              "out: run ") +
 		       orientFaces + " or " + invertFaces + " first.";

@@ -104,4 +104,45 @@ TEST(SeenAt, IsOnTheNearestOfTwoPartsInEitherOrder)
 		}
 }
 
+/// A facet of a prism round y, of a whole turn of `sides`, seen from its axis' side at a label that is wrapped at `radius`.
+double StretchOverFacet(int sides, double outer, double radius, double slant)
+{
+	const double half = M_PI / sides;
+	Shape facet;
+	for (const double side : {-1.0, 1.0})
+		for (const double end : {-1.0, 1.0}) {
+			const double r = outer + end * slant;
+			facet.add({side * r * std::sin(half), 2 * end, r * std::cos(half)});
+		}
+	facet.quad(0, 2, 3, 1);
+	LabelFrame frame;
+	frame.origin = {0, 0, radius};
+	frame.wrapRadius = radius;
+	const LabelSpace space(frame);
+	const Sheet sheet = CandidatesOf(facet, space, 0.1, 0.1);
+	EXPECT_EQ(sheet.triangles.size(), 2u);
+	double most = 0;
+	for (const SheetTriangle& t : sheet.triangles) most = std::max(most, StretchOver(space, sheet, t));
+	return most;
+}
+
+// A facet is as wide as the chord, its place in the label as the arc of the label's radius; along the axis nothing changes.
+TEST(StretchOver, IsTheChordOverTheArcOfTheLabel)
+{
+	for (const int sides : {6, 24, 200}) {
+		const double half = M_PI / sides, chord = std::sin(half) / half;
+		EXPECT_NEAR(StretchOverFacet(sides, 10, 10, 0), 1, 1e-12) << "narrower, but as high";
+		EXPECT_NEAR(StretchOverFacet(sides, 30, 10, 0), 3 * chord, 1e-9) << sides;
+		EXPECT_NEAR(StretchOverFacet(sides, 5, 10, 0), 1, 1e-12) << "half as wide, and as high";
+	}
+}
+
+// On a cone, the way along the facet is longer than that along the axis.
+TEST(StretchOver, OfAConeIsItsSlant)
+{
+	const int sides = 400;
+	for (const double slant : {0.5, 2.0, 6.0})
+		EXPECT_NEAR(StretchOverFacet(sides, 10, 20, slant), std::hypot(1, slant / 2), 0.02);
+}
+
 }  // namespace

@@ -14,7 +14,7 @@
 #include "label_seed.h"
 #include "patch_check.h"
 #include "rounding.h"
-#include "surface_point.h"
+#include "surface_measure.h"
 #include "swept_volume.h"
 
 #include <functional>
@@ -35,39 +35,12 @@ struct LabelOptions {
 struct LabelPlan {
 	CutLabel cut;
 	LabelPatch patch;
-	double stretch = 1;  ///< largest ratio of surface length to label length under the letters
-	double leastStretch =
-		1;  ///< of a wrapped label: least distance of the letters from the axis over the radius; at most 1
-	double surfaceArea = 0;  ///< of the letters on the surface before raising, world units squared
-	double room = 0;         ///< to the next surface behind the letters, world units; infinite if none was found
-	double resolution = 0;   ///< world units: no point of a contour was moved by more
+	SurfaceMeasure surface;
+	double room = 0;        ///< to the next surface behind the letters, world units; infinite if none was found
+	double resolution = 0;  ///< world units: no point of a contour was moved by more
 	double coordinateStep =
 		0;             ///< world units: between coordinates, where they are largest; what the label was checked on
 	int attempts = 0;  ///< placements tried
-};
-
-/// How the coordinates of a mesh are stored or saved.
-struct Precision {
-	bool isFloat = true;        ///< float32, else float64: what the label has to survive
-	bool storesDouble = false;  ///< the mesh itself keeps what is not rounded, which has to be right as well
-	int fileDigits = 0;         ///< of a text file that the label has to survive: see RoundToDigits; 0: it keeps all
-
-	/// Whether it keeps doubles as they are.
-	bool isExact() const { return !isFloat && fileDigits == 0; }
-	double round(double x) const
-	{
-		const double read = fileDigits == 0 ? x : RoundToDigits(storesDouble ? x : RoundToFloat(x), fileDigits);
-		return isFloat ? RoundToFloat(read) : read;
-	}
-	/// The step between coordinates of this size.
-	double ulp(double largest) const
-	{
-		const int digits = isFloat ? std::numeric_limits<float>::digits : std::numeric_limits<double>::digits;
-		const double least =
-			isFloat ? double(std::numeric_limits<float>::denorm_min()) : std::numeric_limits<double>::denorm_min();
-		const double step = largest > 0 ? std::max(std::ldexp(1.0, std::ilogb(largest) + 1 - digits), least) : least;
-		return fileDigits == 0 ? step : std::max(step, StepOfDigits(largest, fileDigits));
-	}
 };
 
 /// Plan a label on the candidates of a mesh.
@@ -97,8 +70,6 @@ private:
 	void requireSheetSurvives();
 	bool attempt(const Outline& outline, bool last, LabelPlan& plan, PlacementConflict& conflict);
 	void finish(LabelPlan& plan, bool last) const;
-	void measureSurface(LabelPlan& plan) const;
-	void measureThinness(const std::vector<IndexTriangle>& inside, LabelPlan& plan) const;
 	void checkRoom(LabelPlan& plan) const;
 	bool staysOnRays() const;
 	void requireOutward(const LabelPatch& patch) const;
@@ -235,8 +206,6 @@ inline bool LabelPlanner::attempt(const Outline& outline, bool last, LabelPlan& 
 			return true;
 		} catch (const PlacementConflict& c) {
 			conflict = c;
-			plan.surfaceArea = 0;
-			plan.stretch = plan.leastStretch = 1;
 		} catch (const Error& e) {  // a triangle without area has no front: it looks like a horizon
 			if (e.code != ErrorCode::Silhouette || !FlipCaps(sheet_, capsFor(outline, e.face), capUlps * meshUlp_))
 				throw;
@@ -294,7 +263,7 @@ inline std::vector<int> LabelPlanner::capsFor(const Outline& outline, int face) 
 inline void LabelPlanner::finish(LabelPlan& plan, bool last) const
 {
 	report(40);
-	measureSurface(plan);
+	plan.surface = MeasureSurface(space_, sheet_, plan.cut, snap_, {options_.maxStretch, options_.minStretch});
 	checkRoom(plan);
 	report(60);
 	plan.patch = RaiseLabel(space_, sheet_, plan.cut, options_.height, options_.along);
@@ -317,61 +286,6 @@ inline void LabelPlanner::finish(LabelPlan& plan, bool last) const
 	                      (mayMeet && (verdict.fault == PatchFault::CrossesSelf || last));
 	if (options_.height != 0 && byHeight) refuseHeight(plan, verdict);
 	throw PlacementConflict{"rounded coordinates spoil the label", space_.project(space_.toLabel(verdict.place))};
-}
-
-inline void LabelPlanner::measureSurface(LabelPlan& plan) const
-{
-	std::vector<char> isParent(sheet_.triangles.size(), 0);
-	for (const int t : plan.cut.within) isParent[size_t(t)] = 1;
-	for (const CutTriangle& t : plan.cut.triangles)
-		if (t.side == Side::Inside) isParent[size_t(t.parent)] = 1;
-	Error steepest(ErrorCode::Grazing, "the surface is steep to the view");
-	for (size_t t = 0; t < isParent.size(); ++t) {
-		if (!isParent[t]) continue;
-		const auto& v = sheet_.triangles[t].vertex;
-		const vcg::Point3d &a = sheet_.vertices[size_t(v[0])].label, &b = sheet_.vertices[size_t(v[1])].label,
-						   &c = sheet_.vertices[size_t(v[2])].label, middle = (a + b + c) / 3;
-		const vcg::Point3d normal = (b - a) ^ (c - a);
-		const double longest =
-			std::sqrt(std::max({(b - a).SquaredNorm(), (c - b).SquaredNorm(), (a - c).SquaredNorm()}));
-		if (normal.Norm() <= 2 * snap_ * longest) continue;  // thinner than the resolution: its normal says nothing
-		const double stretch =
-			space_.wraps() ? StretchOver(space_, sheet_, sheet_.triangles[t]) : StretchOf(space_, middle, normal);
-		if (stretch > std::max(plan.stretch, options_.maxStretch))
-			steepest.atFace(sheet_.triangles[t].face)
-				.atPlace(space_.toMesh(middle))
-				.measured(stretch, options_.maxStretch);
-		plan.stretch = std::max(plan.stretch, stretch);
-	}
-	if (steepest.hasPlace) throw steepest;
-	const auto unbent = [&](int point) {  // world units, along the axes of the frame
-		const SheetPoint& p = plan.cut.points.at(sheet_, point);
-		return space_.wraps() ? space_.inFrame(p.mesh) : p.label;
-	};
-	const std::vector<IndexTriangle> inside = detail::InsideTriangles(sheet_, plan.cut);
-	for (const IndexTriangle& t : inside) {
-		const vcg::Point3d a = unbent(t[0]);
-		plan.surfaceArea += ((unbent(t[1]) - a) ^ (unbent(t[2]) - a)).Norm() / 2;
-	}
-	if (space_.wraps()) measureThinness(inside, plan);
-}
-
-/// Where the part is thinner than the label's cylinder, the way round is shorter, and so are the letters.
-inline void LabelPlanner::measureThinness(const std::vector<IndexTriangle>& inside, LabelPlan& plan) const
-{
-	const SheetPoint* thinnest = nullptr;
-	for (const IndexTriangle& t : inside)
-		for (const int point : t) {
-			const SheetPoint& p = plan.cut.points.at(sheet_, point);
-			const double stretch = space_.distanceFromAxis(p.label[2]) / space_.distanceFromAxis(0);
-			if (!(stretch < plan.leastStretch)) continue;
-			plan.leastStretch = stretch;
-			thinnest = &p;
-		}
-	if (plan.leastStretch < options_.minStretch)
-		throw Error(ErrorCode::Squeezed, "the part is thinner than where the label was measured")
-			.atPlace(thinnest->mesh)
-			.measured(plan.leastStretch, options_.minStretch);
 }
 
 inline void LabelPlanner::checkRoom(LabelPlan& plan) const

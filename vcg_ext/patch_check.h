@@ -14,6 +14,7 @@
 #include "crossing_search.h"
 #include "patch_suspects.h"
 #include "place_table.h"
+#include "rounding.h"
 
 namespace vcg::textlabel {
 
@@ -207,7 +208,7 @@ private:
 		std::vector<int> near;
 		for (const int i : others) {
 			bool isNear = false;
-			grid.query(seen(i), rounding * largest, [&](int) { isNear = true; });
+			grid.query(seen(i), kFarAboveRounding * largest, [&](int) { isNear = true; });
 			if (isNear) near.push_back(i);
 		}
 		return near;
@@ -229,7 +230,7 @@ private:
 		}
 		// between its corners a face comes nearer to the axis, but not by more than the chord of its arc does
 		const double half = (box.high[0] - box.low[0]) / space_.circumference() * std::acos(-1.0);
-		const double slack = rounding * (reach * space_.scale() + space_.circumference());
+		const double slack = kFarAboveRounding * (reach * space_.scale() + space_.circumference());
 		const bool isAtCut = box.low[0] <= space_.cutAt(-1) + slack || box.high[0] >= space_.cutAt(1) - slack;
 		const bool isWhole = number < firstStraddling() && space_.isInOnePiece(at);
 		const double nearer = isWhole ? nearest * (1 - std::cos(half)) : nearest;
@@ -293,8 +294,6 @@ private:
 		}
 		return {};
 	}
-
-	static constexpr double rounding = 1e4 * std::numeric_limits<double>::epsilon();  // of doubles, by far
 
 	const LabelSpace& space_;
 	const Sheet& sheet_;

@@ -15,6 +15,7 @@
 
 #include "label_clearance.h"
 #include "label_raise.h"
+#include "rounding.h"
 
 namespace vcg::textlabel {
 
@@ -106,8 +107,7 @@ inline PlanarMap::PlanarMap(const LabelSpace& space, const Sheet& sheet, const L
 		isMeshContour_[size_t(ground)] = ground < old_;
 	}
 	for (const vcg::Point3d& p : ground_) {  // far from the origin of the plane, doubles are coarser
-		constexpr double roundings = 1e4 * std::numeric_limits<double>::epsilon();
-		slack_ = std::max(slack_, roundings * std::max(std::abs(p[0]), std::abs(p[1])));
+		slack_ = std::max(slack_, kFarAboveRounding * std::max(std::abs(p[0]), std::abs(p[1])));
 	}
 	measureRise();
 	measureFaces();

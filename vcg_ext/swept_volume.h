@@ -13,6 +13,7 @@
 // reaches, hence outside the volume, and then so is all that hangs on them, the piece among the candidates included.
 
 #include "patch_check.h"
+#include "rounding.h"
 
 #include <array>
 #include <memory>
@@ -68,9 +69,9 @@ public:
 		for (const Corners& t : boundary_)
 			for (const vcg::Point3d& p : t) box_.Add(p);
 		reach_ = std::ldexp(1.0, std::ilogb(box_.Diag()) + 1);
-		constexpr double rounding = 1e4 * std::numeric_limits<double>::epsilon();  // of doubles, by far
 		for (int k = 0; k < 3; ++k)
-			slack_ = std::max({slack_, rounding * std::abs(box_.min[k]), rounding * std::abs(box_.max[k])});
+			slack_ = std::max(
+				{slack_, kFarAboveRounding * std::abs(box_.min[k]), kFarAboveRounding * std::abs(box_.max[k])});
 	}
 	/// Whether the box of the volume holds a point.
 	bool mayHold(const vcg::Point3d& p) const { return box_.IsIn(p); }

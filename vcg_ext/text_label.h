@@ -306,9 +306,9 @@ LabelResult LabelMeshOrThrow(MeshType& m, const Outline& outline, const LabelFra
 	result.addedVolume = VolumeChange(planned.sheet, patch, space.mirrors());
 	result.survivesFloat32 = planned.survivesFloat32;
 	result.labelArea = plan.cut.insideArea;
-	result.surfaceArea = plan.surfaceArea;
-	result.stretch = plan.stretch;
-	result.leastStretch = plan.leastStretch;
+	result.surfaceArea = plan.surface.area;
+	result.stretch = plan.surface.stretch;
+	result.leastStretch = plan.surface.leastStretch;
 	result.room = plan.room;
 	result.resolution = plan.resolution;
 	result.coordinateStep = plan.coordinateStep;
