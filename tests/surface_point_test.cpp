@@ -104,7 +104,9 @@ TEST(SeenAt, IsOnTheNearestOfTwoPartsInEitherOrder)
 		}
 }
 
-/// A facet of a prism round y, of a whole turn of `sides`, seen from its axis' side at a label that is wrapped at `radius`.
+/// Of one facet, four units high, of a prism or a pyramid round y under a label that is wrapped at `radius`.
+/// @param[in] outer  of its corners from the axis, halfway up
+/// @param[in] slant  how much nearer these are below, and further away above
 double StretchOverFacet(int sides, double outer, double radius, double slant)
 {
 	const double half = M_PI / sides;

@@ -15,6 +15,7 @@
 #include "patch_check.h"
 #include "rounding.h"
 #include "surface_measure.h"
+#include "surface_point.h"
 #include "swept_volume.h"
 
 #include <functional>

@@ -106,9 +106,8 @@ inline PlanarMap::PlanarMap(const LabelSpace& space, const Sheet& sheet, const L
 		isRaised_[size_t(ground)] = 1;
 		isMeshContour_[size_t(ground)] = ground < old_;
 	}
-	for (const vcg::Point3d& p : ground_) {  // far from the origin of the plane, doubles are coarser
+	for (const vcg::Point3d& p : ground_)  // far from the origin of the plane, doubles are coarser
 		slack_ = std::max(slack_, kFarAboveRounding * std::max(std::abs(p[0]), std::abs(p[1])));
-	}
 	measureRise();
 	measureFaces();
 }
