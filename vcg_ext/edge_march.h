@@ -8,9 +8,10 @@
 // vertex within `snap` goes through that vertex. The rule is applied along the way and the march goes on from the point where it
 // really is, so what follows is decided (by sign, exactly) about the path that is built and not about the one that was wished for.
 // `snap` is a few units in the last place of the output's coordinates: of float32, 1e8 times the rounding of the arithmetic in
-// doubles. No decision hangs on a rounding error. No vertex of the mesh moves; a contour moves by `snap` at most: what it passes is
-// measured from the segment that was wished for as well, or it would follow a row of vertices that it leaves at a small angle. Where it
-// leaves the row it may pass the next vertex within `snap`; what is too short there is collapsed afterwards (cut_repair.h).
+// doubles, so that no decision hangs on a rounding error; of float64 it is of their size, and there the check on the result decides
+// (patch_check.h). No vertex of the mesh moves; a contour moves by `snap` at most: what it passes is measured from the segment that was
+// wished for as well, or it would follow a row of vertices that it leaves at a small angle. Where it leaves the row it may pass the next
+// vertex within `snap`; what is too short there is collapsed afterwards (cut_repair.h).
 
 #include "sheet.h"
 

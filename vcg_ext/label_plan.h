@@ -157,6 +157,7 @@ inline void LabelPlanner::requireSheetSurvives()
 		for (int k = 0; k < 3; ++k) p[k] = precision_.round(p[k]);
 		return p;
 	};
+	if (precision_.keepsStored()) return;
 	isRepresentable_ = std::all_of(sheet_.vertices.begin(), sheet_.vertices.end(),
 	                               [&](const SheetVertex& v) { return rounded(v.mesh) == v.mesh; });
 	if (isRepresentable_) return;
@@ -358,8 +359,7 @@ inline PatchVerdict LabelPlanner::check(const LabelPatch& patch, double height) 
 		return !sweeps || verdict.fault != PatchFault::Sound ? verdict : CheckSweptVolume(sheet_, patch, position);
 	};
 	const PatchVerdict verdict = checkAs(precision_);
-	const bool isAsStored = precision_.fileDigits == 0 && !(precision_.isFloat && precision_.storesDouble);
-	return isAsStored || verdict.fault != PatchFault::Sound
+	return precision_.keepsStored() || verdict.fault != PatchFault::Sound
 	           ? verdict
 	           : checkAs({!precision_.storesDouble, precision_.storesDouble});
 }

@@ -202,6 +202,7 @@ inline LabelPatch RaiseLabel(const LabelSpace& space, const Sheet& sheet, const 
 		patch.faces.push_back({topOf(v), t, FaceKind::Top});
 		findPieces(v, t);
 	}
+	patch.removed.reserve(cut.touched.size() + cut.within.size() + sheet.flipped.size());
 	std::merge(cut.touched.begin(), cut.touched.end(), cut.within.begin(), cut.within.end(),
 	           std::back_inserter(patch.removed));
 	for (const int t : sheet.flipped)

@@ -49,7 +49,8 @@ inline void HitSeed(const LabelSpace& space, const Sheet& sheet, int triangle, c
 {
 	const SheetTriangle& t = sheet.triangles[size_t(triangle)];
 	const double depth = Depth(sheet, t, p, t.facing ? 1 : -1);
-	if (!(depth >= (t.facing ? -snap : snap))) return;  // a back counts only when hit for certain; NaN when degenerate
+	if (!(depth >= (t.facing ? -snap : snap)))
+		return;  // a back counts only when hit for certain; of one without area, its height is NaN
 	const double z = HeightUnder(space, sheet, triangle, p);
 	double& best = t.facing ? hits.facingDepth : hits.backDepth;
 	if (!(z > best)) return;

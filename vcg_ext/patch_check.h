@@ -97,6 +97,7 @@ inline std::vector<char> MarkVertices(const Sheet& sheet, const LabelPatch& patc
 /// A vertex that moves with a letter must not lie where another one stays: two sheets that touch there would come apart.
 inline void RequireOwnPlaces(const Sheet& sheet, const LabelPatch& patch)
 {
+	if (patch.moved.empty()) return;
 	std::vector<char> moves(sheet.vertices.size(), 0);
 	for (const auto& moved : patch.moved) moves[size_t(moved.first)] = 1;
 	std::vector<vcg::Point3d> place;

@@ -17,6 +17,8 @@
 #include "label_raise.h"
 #include "rounding.h"
 
+#include <numeric>
+
 namespace vcg::textlabel {
 
 /// What an exact search must look at.
@@ -67,6 +69,7 @@ private:
 		const int ground = patch_.vertices[size_t(vertex - old_)].ground;
 		return ground < 0 ? vertex : ground;
 	}
+	const vcg::Point3d& raised(size_t ground) const { return place_[size_t(raisedTo_[ground])]; }
 	void measureRise();
 	void measureFaces();
 
@@ -80,33 +83,33 @@ private:
 	int old_;
 	double slack_, lean_ = 0, rise_ = std::numeric_limits<double>::infinity();
 	bool isSound_ = true;
-	std::vector<vcg::Point3d> ground_, raised_;  ///< #vertices as in PatchFace
-	std::vector<char> isRaised_, isMeshContour_;
-	std::vector<Measure> measure_;  ///< of the faces that are no walls, in their order
+	std::vector<vcg::Point3d>
+		place_;  ///< #vertices as in PatchFace, of the moved ones the ground; then where these were moved to
+	std::vector<int> raisedTo_;        ///< #vertices: index into place_ of what stands over it, or its own
+	std::vector<char> isMeshContour_;  ///< #vertices
+	std::vector<Measure> measure_;     ///< of the faces that are no walls, in their order
 };
 
 inline PlanarMap::PlanarMap(const LabelSpace& space, const Sheet& sheet, const LabelPatch& patch,
                             const std::vector<vcg::Point3d>& position, double slack)
-	: space_(space), patch_(patch), old_(int(sheet.vertices.size())), slack_(slack),
-	  ground_(position.size(), vcg::Point3d(0, 0, 0)), isRaised_(position.size(), 0), isMeshContour_(position.size(), 0)
+	: space_(space), patch_(patch), old_(int(sheet.vertices.size())), slack_(slack), raisedTo_(position.size()),
+	  isMeshContour_(position.size(), 0)
 {
-	for (size_t v = 0; v < sheet.vertices.size(); ++v)
-		ground_[v] = withHeight(sheet.vertices[v].plane, sheet.vertices[v].label);
-	for (size_t v = size_t(old_); v < position.size(); ++v)
-		if (patch.vertices[v - size_t(old_)].ground < 0) ground_[v] = seen(position[v]);
-	raised_ = ground_;
+	place_.reserve(position.size() + patch.moved.size());
+	for (const SheetVertex& v : sheet.vertices) place_.push_back(withHeight(v.plane, v.label));
+	for (size_t v = size_t(old_); v < position.size(); ++v) place_.push_back(seen(position[v]));
+	std::iota(raisedTo_.begin(), raisedTo_.end(), 0);
 	for (const auto& moved : patch.moved) {
-		raised_[size_t(moved.first)] = seen(position[size_t(moved.first)]);
-		isRaised_[size_t(moved.first)] = 1;
+		raisedTo_[size_t(moved.first)] = int(place_.size());
+		place_.push_back(seen(position[size_t(moved.first)]));
 	}
 	for (size_t v = size_t(old_); v < position.size(); ++v) {
 		const int ground = patch.vertices[v - size_t(old_)].ground;
 		if (ground < 0) continue;
-		raised_[size_t(ground)] = seen(position[v]);
-		isRaised_[size_t(ground)] = 1;
+		raisedTo_[size_t(ground)] = int(v);
 		isMeshContour_[size_t(ground)] = ground < old_;
 	}
-	for (const vcg::Point3d& p : ground_)  // far from the origin of the plane, doubles are coarser
+	for (const vcg::Point3d& p : place_)  // far from the origin of the plane, doubles are coarser
 		slack_ = std::max(slack_, kFarAboveRounding * std::max(std::abs(p[0]), std::abs(p[1])));
 	measureRise();
 	measureFaces();
@@ -114,9 +117,9 @@ inline PlanarMap::PlanarMap(const LabelSpace& space, const Sheet& sheet, const L
 
 inline void PlanarMap::measureRise()
 {
-	for (size_t v = 0; v < ground_.size(); ++v) {
-		if (!isRaised_[v]) continue;
-		const vcg::Point3d d = raised_[v] - ground_[v];
+	for (size_t v = 0; v < raisedTo_.size(); ++v) {
+		if (raisedTo_[v] == int(v)) continue;
+		const vcg::Point3d d = raised(v) - place_[v];
 		lean_ = std::max({lean_, std::abs(d[0]), std::abs(d[1])});
 		rise_ = std::min(rise_, std::abs(d[2]));
 	}
@@ -137,17 +140,18 @@ inline void PlanarMap::measureFaces()
 		if (!isNoWall(face)) continue;
 		size_t v[3];
 		for (size_t k = 0; k < 3; ++k) v[k] = size_t(groundOf(face.vertex[k]));
-		const vcg::Point3d &a = ground_[v[0]], &b = ground_[v[1]], &c = ground_[v[2]];
-		const std::vector<vcg::Point3d>& own = face.kind == FaceKind::Top ? raised_ : ground_;
+		const vcg::Point3d &a = place_[v[0]], &b = place_[v[1]], &c = place_[v[2]];
+		const vcg::Point3d &ra = raised(v[0]), &rb = raised(v[1]), &rc = raised(v[2]);
 		const vcg::Point3d ab = b - a, bc = c - b, ca = a - c;
 		const auto squared = [](const vcg::Point3d& d) { return d[0] * d[0] + d[1] * d[1]; };
-		double side[3] = {squared(ab), squared(bc), squared(ca)};
-		std::sort(side, side + 3);
-		const double twice = area(a, b, c), above = area(raised_[v[0]], raised_[v[1]], raised_[v[2]]);
-		const double longest = std::sqrt(side[2]), error = slack_ * longest;
+		const double x = squared(ab), y = squared(bc), z = squared(ca), xy = std::max(x, y);
+		const double longest = std::sqrt(std::max(xy, z)),
+					 middle = std::sqrt(std::max(std::min(x, y), std::min(xy, z)));
+		const double twice = area(a, b, c), above = area(ra, rb, rc);
+		const double error = slack_ * longest;
 		isSound_ = twice > error && above > error;
-		const vcg::Point3d n = (own[v[1]] - own[v[0]]) ^ (own[v[2]] - own[v[0]]);
-		measure_.push_back({float(twice / longest), float(twice / (longest * std::sqrt(side[1]))),
+		const vcg::Point3d n = face.kind == FaceKind::Top ? (rb - ra) ^ (rc - ra) : ab ^ (c - a);
+		measure_.push_back({float(twice / longest), float(twice / (longest * middle)),
 		                    float(std::max(std::abs(n[0]), std::abs(n[1])) * 2 / std::abs(n[2]))});
 	}
 }

@@ -44,6 +44,8 @@ struct Precision {
 
 	/// Whether it keeps doubles as they are.
 	bool isExact() const { return !isFloat && fileDigits == 0; }
+	/// Whether a coordinate of the mesh stays as it is.
+	bool keepsStored() const { return fileDigits == 0 && !(isFloat && storesDouble); }
 	double round(double x) const
 	{
 		const double read = fileDigits == 0 ? x : RoundToDigits(storesDouble ? x : RoundToFloat(x), fileDigits);
