@@ -213,7 +213,7 @@ TEST(FlipCaps, AsksForWhatLiesAroundATip)
 	EXPECT_EQ(sheet.capReach, 1) << "from the box's border at -1 to the lower tip at -2";
 }
 
-// A flipped cap below which there was another one would be one again: what has been changed once stays, and is listed once.
+// A flipped cap below which there was another one would be one again: what was a cap once stays, and is listed once.
 TEST(FlipCaps, ChangesATriangleOnce)
 {
 	CapShape s({0.5, 0}, {-0.5, -0.1 * kThinnest});
@@ -227,6 +227,30 @@ TEST(FlipCaps, ChangesATriangleOnce)
 		EXPECT_FALSE(FlipCaps(sheet, {0, 1, 2, 3, 4, 5}, kThinnest));
 		EXPECT_EQ(sheet.flipped, (std::vector<int>{0, 1}));
 		for (size_t t = 0; t < once.size(); ++t) EXPECT_EQ(sheet.triangles[t].vertex, once[t].vertex);
+	}
+}
+
+// Caps that lie on one another go from the lowest to the uppermost, whichever of them was asked for.
+TEST(FlipCaps, TakesTheLowestFirst)
+{
+	CapShape s({0, 0}, {0.1, -2});  // face 0 is the cap from -2 to 2 with its tip at 0
+	const int e = 4, m = s.shape.add({-1, 0, 0});
+	s.shape.faces[3] = {s.a, m, e};  // above its left half lies a cap with its tip at -1
+	s.shape.faces.push_back({m, s.c, e});
+	s.shape.faces.push_back({s.a, s.c, m});
+	for (const std::vector<int>& asked : {std::vector<int>{5}, {5, 0}, {0, 5}, {0}}) {
+		Sheet sheet = s.sheet();
+		ASSERT_TRUE(FlipCaps(sheet, asked, kThinnest));
+		const bool isAll = asked.size() > 1 || asked[0] == 5;
+		EXPECT_EQ(sheet.flipped, isAll ? (std::vector<int>{0, 1, 5}) : (std::vector<int>{0, 1}));
+		EXPECT_EQ(sheet.triangles[5].facing, isAll);
+		if (isAll) { EXPECT_EQ(sheet.triangles[5].birthFace(), 1) << "none of the caps had anything to show"; }
+		for (size_t t = 0; t < sheet.triangles.size(); ++t) {
+			const auto& v = sheet.triangles[t].vertex;
+			if (sheet.triangles[t].facing) {
+				EXPECT_GT(Orient2d(sheet.plane(v[0]), sheet.plane(v[1]), sheet.plane(v[2])), 0);
+			}
+		}
 	}
 }
 

@@ -6,6 +6,7 @@
 #include "vcg_ext/text_label.h"
 
 #include <gtest/gtest.h>
+#include <random>
 #include <optional>
 
 #include "label_check.h"
@@ -358,6 +359,67 @@ TEST(DirtyInput, ARowOfCapsUnderOneLetter)
 		EXPECT_EQ(report.nonManifoldEdges + report.flippedEdges + report.duplicateFaces, 0) << cells;
 		EXPECT_EQ(report.genus, 0) << cells;
 	}
+}
+
+/// A sheet of which an edge has many vertices on one side, closed by a fan from its end: each triangle without area lies on the next.
+Shape FanOfCaps(int vertices)
+{
+	Shape s;
+	const int a = s.add({-20, 0, 0}), b = s.add({20, 0, 0}), c = s.add({20, -20, 0}), d = s.add({-20, -20, 0}),
+			  top = s.add({0, 20, 0}), left = s.add({-20, 20, 0}), right = s.add({20, 20, 0});
+	std::vector<int> row{a};
+	for (int i = 1; i <= vertices; ++i) row.push_back(s.add({-20 + 40.0 * i / (vertices + 1), 0, 0}));
+	row.push_back(b);
+	s.faces = {{a, c, b}, {a, d, c}, {a, top, left}, {b, right, top}};
+	for (size_t i = 1; i < row.size(); ++i) s.faces.push_back({row[i - 1], row[i], top});
+	for (size_t i = 2; i < row.size(); ++i) s.faces.push_back({a, row[i], row[i - 1]});
+	return s;
+}
+
+// Turned and rounded, some of its caps show their backs and some face the viewer.
+TEST(DirtyInput, ATurnedFanOfCaps)
+{
+	std::mt19937 random(7);
+	std::uniform_real_distribution<double> angle(0, 2 * M_PI);
+	int refused = 0;
+	constexpr int count = 200;
+	for (int n = 0; n < count; ++n) {
+		const double c = std::cos(angle(random)), s = std::sqrt(1 - c * c);
+		FloatMesh m;
+		test_mesh::Fill(m, FanOfCaps(2 + n % 7).moved([&](const Point3d& p) {
+			return Point3d(c * p[0] - s * p[1], s * p[0] + c * p[1], p[2]);
+		}));
+		LabelOptions options;
+		options.height = 0.5;
+		LabelFrame frame = FromAbove();
+		frame.u = {c, s, 0};
+		frame.v = {-s, c, 0};
+		const Outline bar = label_check::Letters({Rectangle(-15.01, -4.02, 15.03, 4.01)});
+		try {
+			EXPECT_NEAR(LabelMesh(m, bar, frame, options).addedVolume, Area(bar) * 0.5, 1e-4 * Area(bar)) << n;
+		} catch (const vcg::textlabel::Error& e) {
+			++refused;
+		}
+	}
+	EXPECT_LT(refused, count / 10);
+}
+
+TEST(DirtyInput, AFanOfCapsUnderOneLetter)
+{
+	for (const int vertices : {1, 2, 3, 5, 20, 100})
+		for (const double height : {0.5, -0.5, 0.0}) {
+			FloatMesh m;
+			test_mesh::Fill(m, FanOfCaps(vertices));
+			LabelOptions options;
+			options.height = height;
+			const Outline bar = label_check::Letters({Rectangle(-15.01, -4.02, 15.03, 4.01)});
+			const LabelResult result = LabelMesh(m, bar, FromAbove(), options);
+			EXPECT_NEAR(result.addedVolume, Area(bar) * height, 1e-4 * Area(bar)) << vertices;
+			EXPECT_NEAR(result.surfaceArea, Area(bar), 1e-4 * Area(bar));
+			const MeshReport report = MakeReport(m, {true, true});
+			EXPECT_EQ(report.nonManifoldEdges + report.flippedEdges + report.duplicateFaces, 0) << vertices;
+			EXPECT_EQ(report.genus, 0) << vertices;
+		}
 }
 
 // The same row on a second surface below, which no letter touches: it stays as it is.

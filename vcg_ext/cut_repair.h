@@ -19,7 +19,7 @@ namespace vcg::textlabel {
 /// @param[in] shortest  mesh units
 void CollapseShortEdges(const Sheet& sheet, CutLabel& cut, double shortest);
 
-/// Flip away the caps among some triangles of a sheet; the sheet remembers which it changed.
+/// Flip away the caps among some triangles of a sheet, and those on which they lie; the sheet remembers which it changed.
 /// @param[in] triangles  sheet triangles to look at
 /// @param[in] thinnest  mesh units: caps lower than this go
 /// @return whether anything was flipped
@@ -198,13 +198,14 @@ class CapFlipper {
 public:
 	CapFlipper(Sheet& sheet, double thinnest) : sheet_(sheet), thinnest_(thinnest) {}
 
-	/// Flip a triangle's longest edge when it is a cap and may go.
-	bool flip(int t)
+	/// Flip a triangle's longest edge when it is a cap and may go. Each is a cap once: else two below one another could take turns.
+	/// @return the triangle across that edge, or -1
+	int flip(int t)
 	{
-		if (isFlipped(t)) return false;
+		if (isFlipped(t)) return -1;
 		const int longest = LongestSide(sheet_, t);
 		const int other = sheet_.twin[size_t(longest)], g = other / 3;
-		if (other < 0 || isFlipped(g) || !sheet_.triangles[size_t(g)].facing) return false;
+		if (other < 0 || !sheet_.triangles[size_t(g)].facing) return -1;
 		//      c            the cap: a b c, beside it: b a d;  after the flip: a d c and d b c
 		//    a   b
 		//      d
@@ -214,18 +215,18 @@ public:
 		const double length = along.Norm(), foot = along * (at(c) - at(a)) / length;
 		const bool isCap =
 			HeightOver(sheet_, longest) < thinnest_ && foot > thinnest_ && foot < length - thinnest_ && c != d;
-		if (!isCap) return false;
+		if (!isCap) return -1;
 		const auto facing = [&](int p, int q, int r) {
 			return Orient2d(sheet_.plane(p), sheet_.plane(q), sheet_.plane(r)) > 0;
 		};
-		if (!facing(a, d, c) || !facing(d, b, c)) return false;
+		if (!facing(a, d, c) || !facing(d, b, c)) return -1;
 		if (!isFanWhole(c) && !isFanWhole(d)) {
 			askForMore(c, d);
-			return false;
+			return -1;
 		}
 		for (const int near : fan(c))
 			for (const int v : sheet_.triangles[size_t(near)].vertex)
-				if (v == d) return false;  // c and d are neighbours already, on the far side of the part
+				if (v == d) return -1;  // c and d are neighbours already, on the far side of the part
 		sheet_.triangles[size_t(t)].facing = true;
 		sheet_.triangles[size_t(t)].birth =
 			sheet_.triangles[size_t(g)].birthFace();  // the cap had no area to show its own
@@ -238,8 +239,18 @@ public:
 		move(t, b, d);
 		move(g, a, c);
 		for (const int changed : {t, g})
-			sheet_.flipped.insert(std::lower_bound(sheet_.flipped.begin(), sheet_.flipped.end(), changed), changed);
-		return true;
+			if (!isFlipped(changed))
+				sheet_.flipped.insert(std::lower_bound(sheet_.flipped.begin(), sheet_.flipped.end(), changed), changed);
+		return g;
+	}
+
+	/// What should be flipped before a cap is: another one, on which its longest edge lies; or -1.
+	int before(int t) const
+	{
+		const int longest = LongestSide(sheet_, t), other = sheet_.twin[size_t(longest)];
+		if (isFlipped(t) || other < 0 || isFlipped(other / 3) || HeightOver(sheet_, longest) >= thinnest_) return -1;
+		const int below = LongestSide(sheet_, other / 3);
+		return below != other && HeightOver(sheet_, below) < thinnest_ ? other / 3 : -1;
 	}
 
 private:
@@ -323,8 +334,26 @@ inline bool FlipCaps(Sheet& sheet, const std::vector<int>& triangles, double thi
 {
 	if (!sheet.mayFlip) return false;
 	detail::CapFlipper flipper(sheet, thinnest);
+	std::vector<char> isListed(sheet.triangles.size(), 0), isAskedFor(isListed);
+	for (const int t : triangles) isListed[size_t(t)] = 1;
 	bool flipped = false;
-	for (const int t : triangles) flipped = flipper.flip(t) || flipped;
+	for (std::vector<int> stack(triangles.rbegin(), triangles.rend()); !stack.empty();) {
+		const int t = stack.back();
+		stack.pop_back();
+		const int first = flipper.before(t);  // a fan that closes an edge with many vertices has a cap below a cap
+		if (first >= 0 && !std::exchange(isAskedFor[size_t(first)], 1)) {
+			isListed[size_t(first)] = 1;
+			stack.insert(stack.end(), {t, first});
+			continue;
+		}
+		const int across = flipper.flip(t);
+		if (across < 0) continue;
+		flipped = true;
+		for (const int changed : {t, across})
+			for (int h = 3 * changed; h < 3 * changed + 3; ++h)
+				if (const int twin = sheet.twin[size_t(h)]; twin >= 0 && isListed[size_t(twin / 3)])
+					stack.push_back(twin / 3);
+	}
 	if (flipped) detail::LinkTriangles(sheet);
 	return flipped;
 }
