@@ -138,9 +138,10 @@ std::string Spoilt(const std::string& what)
 	return "Refused: " + what + ". The mesh may be incomplete; load it again.";
 }
 
-/// The one place where exceptions become sentences.
+/// @return a sentence for what was thrown, or nothing
+/// @throws std::bad_alloc where there is no memory for the sentence
 template <class Work>
-std::string Guarded(const Work& work)
+std::string SentenceOf(const Work& work)
 {
 	ErrorContext context;
 	const auto told = [&context](const std::string& text) {
@@ -164,6 +165,17 @@ std::string Guarded(const Work& work)
 	} catch (...) {
 		const std::string what = "something unexpected happened";
 		return context.isMade ? told(what + ".") : Spoilt(what);
+	}
+}
+
+/// The one place where exceptions end: one that left a filter would end MeshLab.
+template <class Work>
+std::string Guarded(const Work& work) noexcept
+{
+	try {
+		return SentenceOf(work);
+	} catch (...) {
+		return "Out of memory.";  // so short that a string holds it without asking for some
 	}
 }
 
