@@ -60,6 +60,7 @@ const char* const moveIt =
 
 // MeshLab's own filters, by the names that its menus have.
 const std::string invertFaces = "'Invert Faces Orientation'";
+const std::string mergeVertices = "'Remove Duplicate Vertices'";
 #if MESHLAB_API == 2025
 const std::string orientFaces = "'Re-Orient all faces coherently'";
 #else
@@ -95,9 +96,10 @@ std::string PlaceText(const Error& error, const ErrorContext& context)
 	case ErrorCode::Border:
 		if (context.isWrapped)
 			return letter + " runs over an end, a border or a hole of the surface, or to where it cannot be unrolled" +
-			       where + ". " + moveIt;
+			       where + ". " + moveIt + " Where none is to be seen, run " + mergeVertices + " first.";
 		return letter + " runs over a border or a hole of the surface" + where + ". " + moveIt +
-		       " Or close the hole first.";
+		       " Or close the hole first; where none is to be seen, the triangles do not hang together: run " +
+		       mergeVertices + ".";
 	case ErrorCode::Silhouette:
 		if (context.isWrapped)
 			return letter +
@@ -285,6 +287,10 @@ std::string ErrorText(const RequestError& error)
 		return "No face looks to the viewer on the line through the position along the direction. Move the position "
 			   "over the part, or "
 			   "turn the direction to the side that the label should be on.";
+	case RequestProblem::PointSeesBack:
+		return "The surface at the position shows its back to the viewer. Turn the direction to the side that the "
+		       "label should be on. If it points there already, the part's faces are turned inside out: run " +
+		       invertFaces + " first.";
 	case RequestProblem::HiddenPlace:
 		return "Another surface lies " + Figure(error.value) +
 		       " in front of the position, so the viewer would not see the label. Move "
@@ -293,13 +299,21 @@ std::string ErrorText(const RequestError& error)
 		return "The first surface on the line to the position shows its back, " + Figure(error.value) +
 		       " in front of the nearest one that faces the viewer. The part's faces are turned inside out: run " +
 		       invertFaces + " first. Or, if they are not, look from another direction.";
+	case RequestProblem::HiddenRound:
+		return "Another surface lies " + Figure(error.value) +
+		       " before the place of the label, seen towards the axis (in a pipe, from the axis), and the letters "
+		       "would "
+		       "land on it. Move the label to that surface, or to where nothing is before it; or label the place "
+		       "without "
+		       "wrapping, from a direction that shows it. In a pipe, wrap_radius is negative.";
 	case RequestProblem::WrapNeedsPlace:
 		return "A label that is wrapped needs a place. Give a position and a direction (in the dialog and in scripts "
 			   "with the placement Point and direction), or a view.";
 	case RequestProblem::NoAxis:
 		return "The surface at the place bends round no axis that can be measured. Move the place to where the part is "
-			   "round, merge its vertices if they are not, or say how far behind the place the axis is (wrap_radius) "
-			   "and that it points upwards in the label (up).";
+		       "round, look at it more from the side, or say how far behind the place the axis is (wrap_radius) and "
+		       "that it points upwards in the label (up). If the triangles do not hang together, run " +
+		       mergeVertices + " first.";
 	case RequestProblem::NoPlace:
 		return "No place on the part holds the text" +
 		       (error.value > 0

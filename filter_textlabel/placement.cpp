@@ -100,16 +100,24 @@ const SurfaceHit* NearestFacing(const std::vector<SurfaceHit>& hits)
 	return nearest;
 }
 
-/// The face that looks to the viewer nearest to the position; a face before it would hide the label.
+/// How far before a place something else is met on the line of sight to it; 0 where nothing is.
+double HiddenBy(const std::vector<SurfaceHit>& hits, double place, const PartProbe& part)
+{
+	const double hidden = place - hits.front().distance;
+	return hidden > sameSurface * part.box.Diag() ? hidden : 0;
+}
+
+/// The face that looks to the viewer nearest to the position; a face before it would hide the label, but for one that is wrapped: that
+/// is seen from its axis, or towards it.
 LabelFrame PlaceAtPoint(const LabelRequest& request, const PartProbe& part)
 {
 	LabelFrame frame = FrameOf(request);
 	const SightLine line{request.position + OffsetOf(request, frame), origin - frame.w};
 	const std::vector<SurfaceHit> hits = part.hitsOnLine(line);
 	const SurfaceHit* const nearest = NearestFacing(hits);
-	if (!nearest) throw RequestError(RequestProblem::PointMissesPart, "position");
-	const double hidden = nearest->distance - hits.front().distance;
-	if (hidden > sameSurface * part.box.Diag() && !request.isWrapped()) {  // in a pipe, it is read from the axis
+	if (!nearest)
+		throw RequestError(hits.empty() ? RequestProblem::PointMissesPart : RequestProblem::PointSeesBack, "position");
+	if (const double hidden = HiddenBy(hits, nearest->distance, part); hidden > 0 && !request.isWrapped()) {
 		const RequestProblem by = hits.front().facing ? RequestProblem::HiddenPlace : RequestProblem::HiddenByBack;
 		throw RequestError(by, "position").measured(hidden);
 	}
@@ -141,12 +149,41 @@ LabelFrame ShiftedRound(const LabelFrame& frame, double right, double up)
 	return shifted;
 }
 
+/// What the letters would meet before they come to the anchor of a wrapped label: they are seen on lines across the axis, from far
+/// outside or, where they are read from the axis, from there.
+/// @param[in] isShifted  else the anchor lies on the surface
+/// @throws RequestError{HiddenRound}
+void RequireInSightRound(const LabelFrame& frame, bool isShifted, const PartProbe& part)
+{
+	std::vector<SurfaceHit> hits = part.hitsOnLine({frame.origin, origin - frame.w});
+	const auto isBeyondAxis = [&](const SurfaceHit& hit) {
+		return frame.wrapRadius < 0 ? hit.distance <= frame.wrapRadius : hit.distance >= frame.wrapRadius;
+	};
+	hits.erase(std::remove_if(hits.begin(), hits.end(), isBeyondAxis), hits.end());
+	const SurfaceHit* const nearest = NearestFacing(hits);
+	if (!nearest) return;  // beside the part, or over a hole: there may be no letter
+	if (const double hidden = HiddenBy(hits, isShifted ? nearest->distance : 0, part); hidden > 0)
+		throw RequestError(RequestProblem::HiddenRound, "position").measured(hidden);
+}
+
 /// Length of a box along a direction.
 double Extent(const vcg::Box3d& box, const vcg::Point3d& direction)
 {
 	double sum = 0;
 	for (int i = 0; i < 3; ++i) sum += std::abs(direction[i]) * (box.max[i] - box.min[i]);
 	return sum;
+}
+
+/// How long a part is in a direction of the label plane; for a wrapped label round the axis, as far as the part goes round it.
+double ExtentFor(const LabelFrame& frame, const vcg::Box3d& box, const vcg::Point3d& direction)
+{
+	const double straight = Extent(box, direction), radius = std::abs(frame.wrapRadius);
+	if (radius == 0) return straight;
+	constexpr double nearlyAll = 0.9;  // of the diameter: facets, and an axis that leans
+	const double share = straight / (2 * radius), pi = std::acos(-1.0);
+	const double way = 2 * radius * (share < nearlyAll ? std::asin(share) : pi);
+	const double along = std::min(std::abs(direction * frame.wrapAxis), 1.0);
+	return along * straight + std::sqrt(1 - along * along) * way;
 }
 
 /// A text's bounding box at capital height 1, the anchor at (0, 0).
@@ -190,15 +227,15 @@ double WantedSize(const LabelRequest& request)
 	return MakeTextOutline(request.text, options).capitalHeight;
 }
 
-/// Sizes to try: a text of half the part at first, then smaller.
+/// Sizes to try: a text of half the part at first, of half the way round when it is wrapped, then smaller.
 /// @param[in] largest  of the part's diagonal
 std::vector<double> SizesToTry(const TextExtent& extent, double largest, const LabelFrame& frame, const vcg::Box3d& box)
 {
 	constexpr double share = 0.5, step = 0.7;  // of the part's extent; from one to the next
 	constexpr int count = 9;
 	double size = box.Diag() * largest;
-	if (extent.width() > 0) size = std::min(size, share * Extent(box, frame.u) / extent.width());
-	if (extent.height() > 0) size = std::min(size, share * Extent(box, frame.v) / extent.height());
+	if (extent.width() > 0) size = std::min(size, share * ExtentFor(frame, box, frame.u) / extent.width());
+	if (extent.height() > 0) size = std::min(size, share * ExtentFor(frame, box, frame.v) / extent.height());
 	std::vector<double> sizes;
 	for (int i = 0; i < count && size > 0; ++i, size *= step) sizes.push_back(size);
 	return sizes;
@@ -218,6 +255,7 @@ bool OfferAtPlace(const LabelRequest& request, double size, const Camera& camera
 		frame = request.wrapRadius != 0 ? WrappedFrame(frame, request.wrapRadius)
 		                                : WrappedFrame(frame, part.box.Diag(), part.surfaceAround);
 		frame = ShiftedRound(frame, request.offsetU, request.offsetV);
+		RequireInSightRound(frame, request.offsetU != 0 || request.offsetV != 0, part);
 	}
 	Rotate(frame, request.rotation);
 	if (size != ChosenToFit) return accept({frame, size, 0});

@@ -60,8 +60,8 @@ Camera RequestedCamera(const LabelRequest& request);
 /// @param[in] accept  tries one; true ends the search
 /// @return false when none was accepted, of one at least
 /// @throws what accept throws
-/// @throws RequestError{DirectionZero, UpAlongDirection, ViewMissesPart, ViewFromInside, PointMissesPart, HiddenPlace, HiddenByBack, NoAxis,
-///         NoPlace}
+/// @throws RequestError{DirectionZero, UpAlongDirection, ViewMissesPart, ViewFromInside, PointMissesPart, PointSeesBack, HiddenPlace,
+///         HiddenByBack, HiddenRound, NoAxis, NoPlace}
 /// @throws TextError
 bool OfferAttempts(const LabelRequest& request, const Camera& camera, const PartProbe& part, TextSetter& text,
                    const std::function<bool(const Attempt&)>& accept);

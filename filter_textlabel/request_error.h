@@ -26,12 +26,14 @@ enum class RequestProblem {
 	DirectionZero,          ///< parameter
 	UpAlongDirection,
 	PointMissesPart,  ///< no face that looks to the viewer on the line through the position
+	PointSeesBack,    ///< there are faces on it, and all show their backs
 	HiddenPlace,      ///< another face lies before the position; value: distance between them
 	HiddenByBack,     ///< the same of one that shows its back
-	WrapNeedsPlace,   ///< wrapped, and the placement is Automatic
-	NoAxis,           ///< the surface bends round no axis at the place
-	NoPlace,          ///< Automatic found nothing; value: the size asked, or ChosenToFit
-	FileNotWritten,   ///< detail: the path
+	HiddenRound,  ///< of a wrapped label: another face lies between its anchor and where it is seen from; value: as above
+	WrapNeedsPlace,  ///< wrapped, and the placement is Automatic
+	NoAxis,          ///< the surface bends round no axis at the place
+	NoPlace,         ///< Automatic found nothing; value: the size asked, or ChosenToFit
+	FileNotWritten,  ///< detail: the path
 };
 
 /// A refusal that is not the library's; the mesh is as it was.

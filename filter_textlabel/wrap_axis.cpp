@@ -16,9 +16,10 @@ using vcg::textlabel::LabelFrame;
 constexpr double kSayOfEnds = 0.01;
 
 struct Axis {
-	Point3d direction;  ///< unit
-	Point3d point;      ///< on it
-	double radius = 0;  ///< from the place to it
+	Point3d direction;   ///< unit
+	Point3d point;       ///< on it
+	double radius = 0;   ///< from the place to it
+	double outward = 0;  ///< cosine between the facet's normal at the place and the way from the axis to there
 	double roughness =
 		0;  ///< root mean square of the sines between the normals and the planes through the axis; ends count little
 	double arc = 0;  ///< radians round it over which the surface is seen, and its normals turn
@@ -133,8 +134,9 @@ Axis AxisAlong(const Eigen::Vector3d& direction, const Turns& turns, const Surfa
 	constexpr double onAxis = 0.1;  // of the radius: the tip of a cone has no plane through the axis
 	const Eigen::Vector3d center = direction.cross(turns.move(direction));
 	Axis axis{FromEigen(direction), frame.origin + FromEigen(center), center.norm()};
+	axis.outward = FromEigen(-center) * surface.facetNormal / axis.radius;
 	double squares = 0, weight = 0;
-	Sector places(axis.direction, FromEigen(-center)), normals(axis.direction, frame.w);
+	Sector places(axis.direction, FromEigen(-center)), normals(axis.direction, surface.facetNormal);
 	for (const FoldPoint& e : surface.folds) {
 		Point3d across = e.point - axis.point;
 		across -= axis.direction * (across * axis.direction);
@@ -189,14 +191,16 @@ bool IsBehindMiddle(const SurfacePatch& surface, const Axis& axis)
 std::optional<Axis> FindAxis(const LabelFrame& frame, double diagonal, const SurfaceAround& surface)
 {
 	constexpr double first = 1.0 / 64, enough = 1.2, least = 0.05;             // of the diagonal; radians
-	constexpr double rougher = 2, rough = 0.05, mostTowards = 0.5;             // times; sines
+	constexpr double rougher = 2, rough = 0.05, mostTowards = 0.5;             // times; sine, cosine
 	constexpr double known = 0.3, same = 0.995, clean = 0.01, little = 0.005;  // radians; cosine; sines
+	constexpr double leastOutward = 0.2;  // a flat end looks along the axis, however it is looked at
 	std::optional<Axis> found;
 	for (double halfSide = first * diagonal; halfSide < 2 * diagonal; halfSide *= 2) {
 		const SurfacePatch patch = surface(frame, halfSide);
 		const std::optional<Axis> axis = AxisOf(patch, frame, halfSide);
-		const bool isSeen = axis && axis->arc >= least && std::abs(axis->direction * frame.w) < mostTowards &&
-		                    IsBehindMiddle(patch, *axis);
+		const auto isAcross = [&](const Point3d& d) { return std::abs(axis->direction * d) < mostTowards; };
+		const bool isSeen = axis && axis->arc >= least && (isAcross(frame.w) || isAcross(patch.facetNormal)) &&
+		                    std::abs(axis->outward) > leastOutward && IsBehindMiddle(patch, *axis);
 		if (found && isSeen) {
 			// a branch that comes into sight brings an axis of its own, which fits nearly as well
 			const bool isClear = found->arc >= known && found->roughness < clean;
@@ -227,7 +231,7 @@ LabelFrame WrappedFrame(const LabelFrame& frame, double diagonal, const SurfaceA
 		axis && axis->roughness <= roughest && axis->radius >= nearest * diagonal && axis->radius <= largest * diagonal;
 	if (!isFound) throw RequestError(RequestProblem::NoAxis, "wrap");
 	const Point3d away = frame.origin - axis->point;
-	const bool isInside = away * parallel.w < 0;
+	const bool isInside = axis->outward < 0;
 	LabelFrame f = parallel;
 	f.w = away / (isInside ? -away.Norm() : away.Norm());
 	f.wrapAxis = axis->direction - f.w * (axis->direction * f.w);

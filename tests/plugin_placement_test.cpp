@@ -235,6 +235,12 @@ TEST(PointAndDirection, RefusesWhatIsNoPlace)
 				  Plan(AtPoint({30, 20, 10}, {0, 0, 1}), ProbeOf(insideOut));
 			  }),
 	          RequestProblem::HiddenByBack);
+	Mesh sheet;  // the bottom alone: from above there is only its back
+	vcg::tri::Append<Mesh, Mesh>::MeshCopy(sheet, Box());
+	sheet.face.resize(2);
+	sheet.fn = 2;
+	EXPECT_EQ(ProblemOf([&] { Plan(AtPoint({30, 20, 0}, {0, 0, 1}), ProbeOf(sheet)); }), RequestProblem::PointSeesBack);
+	ExpectNear(Plan(AtPoint({30, 20, 0}, {0, 0, -1}), ProbeOf(sheet))[0].frame.origin, {30, 20, 0});
 }
 
 TEST(CameraPlacement, LabelsTheCentreOfTheView)

@@ -36,6 +36,9 @@ class Wrap(InFolder):
                 self.assertEqual(euler(mesh), euler(part))
                 self.assertAlmostEqual(report["wrap_radius"], 23, places=3)
                 self.assertEqual(list(report["wrap_axis"]), [0, 0, 1])
+                self.assertAlmostEqual(report["least_stretch"], 1, places=2)
+                self.assertGreater(report["surface_area"], 0.9 * report["label_area"])
+                self.assertGreater(min(report["thinnest_stroke"], report["narrowest_gap"]), 0.1)
                 height = {"Emboss": 0.5, "Engrave": -0.5, "Flat": 0}[style]
                 # a ring of this height: a label's area times the mean of the radii, over the radius
                 expected = report["label_area"] * height * (23 + height / 2) / 23

@@ -90,6 +90,28 @@ TEST(WrapAxis, SeenAslant)
 			ExpectUp(WrappedOn(shape, At(place, towards, -up)), {0, -1, 0});
 		}
 	ExpectUp(WrappedOn(shape, At(place, {0.2, 0.1, 1}, {1, 0.3, 0})), {1, 0, 0});  // read along the axis
+	for (const double above : {0.7, 1.0, 1.7, -1.0, -1.7}) {                       // up to 60 degrees
+		const LabelFrame f = WrappedOn(shape, At(place, {0.1, above, 1}));
+		ExpectAxis(f, {0, 1, 0}, 10);
+		ExpectUp(f, {0, 1, 0});
+	}
+}
+
+// On which side of its surface a label is read, the surface tells: seen from the tip of a cone, the place is on this side of the axis and
+// the view comes from beyond it.
+TEST(WrapAxis, TapersSeenFromAbove)
+{
+	const std::vector<double> radii = {20, 17.5, 15, 12.5, 10};
+	const Shape cone = Turned(radii, 64, 5);
+	Shape funnel = Turned({radii.rbegin(), radii.rend()}, 64, 5);
+	for (auto& f : funnel.faces) std::swap(f[1], f[2]);
+	const double a = M_PI / 64, r = 15 * std::cos(a);
+	for (const double across : {-0.15, 0.1, 0.3, 1.0}) {
+		const LabelFrame outside = WrappedOn(cone, At({r * std::sin(a), 0, r * std::cos(a)}, {0.05, 1, across}));
+		ExpectAxis(outside, {0, 1, 0}, r, 1e-4);
+		const LabelFrame inside = WrappedOn(funnel, At({r * std::sin(a), 0, r * std::cos(a)}, {0.05, 1, -across}));
+		ExpectAxis(inside, {0, 1, 0}, -r, 1e-4);
+	}
 }
 
 // A single row of facets, as CAD programs write it: all that tells of the axis are the folds between them.
@@ -353,8 +375,75 @@ TEST(WrapRequest, SizeLeftToTheFilter)
 	request.size = request.depth = ChosenToFit;
 	for (const char* text : {"A", "ROUND", "ROUND AND ROUND IT GOES AND NEVER COMES TO ITS END"}) {
 		request.text = text;
-		EXPECT_GT(RunOnCylinder(request).size, 0.2) << text;
+		EXPECT_GT(RunOnCylinder(request).size, 0.6) << text;  // the last one goes half the way round
 	}
+	request.rotation = 90;  // along the part it has the part's length
+	EXPECT_GT(RunOnCylinder(request).size, 0.3);
+	EXPECT_LT(RunOnCylinder(request).size, 0.5);
+}
+
+// A sheet that is bent a little does not go round its axis: its own width counts.
+TEST(WrapRequest, SizeOnABentSheet)
+{
+	test_mesh::RichMesh m;
+	test_mesh::Fill(m, test_mesh::Sheet(40, 10, [](int i, int j) {
+						const double a = (i - 20) * 0.01;
+						return Point3d(100 * std::sin(a), j - 5, 100 * std::cos(a));
+					}));
+	const ServiceHost host;
+	ErrorContext context;
+	LabelJob<test_mesh::RichMesh> job(m, LabelFrame::Identity(), host, context);
+	LabelRequest request = Round();
+	request.size = request.depth = ChosenToFit;
+	request.position = {0, 0, 101};
+	const LabelReport report = job.run(request);
+	EXPECT_NEAR(report.view.wrapRadius, 100, 0.1);
+	const TextOutline outline = MakeTextOutline(request.text, TextOptionsOf(request, report.size));
+	EXPECT_NEAR(outline.boxMax[0] - outline.boxMin[0], 20, 0.1) << "half of 40";
+}
+
+/// One part round y with another one beside it, which is no neighbour of its faces.
+RequestProblem ProblemBeside(const Shape& part, const Shape& other, const LabelRequest& request)
+{
+	test_mesh::RichMesh m;
+	test_mesh::Fill(m, part.joined(other));
+	const ServiceHost host;
+	ErrorContext context;
+	LabelJob<test_mesh::RichMesh> job(m, LabelFrame::Identity(), host, context);
+	try {
+		job.run(request);
+	} catch (const RequestError& error) {
+		return error.problem;
+	}
+	return RequestProblem::EmptyPart;  // labelled
+}
+
+// Seen on the lines across the axis, something stands before the place: the letters would land on that.
+TEST(WrapRequest, RefusesWhatIsHidden)
+{
+	constexpr RequestProblem labelled = RequestProblem::EmptyPart;
+	const Shape shaft = Turned({10, 10, 10, 10}, 48, 8), rod = Turned({4, 4, 4, 4}, 48, 8);
+	for (const double gap : {1.0, 5.0, 40.0}) {
+		const Shape wall =
+			test_mesh::Slab(60, 24, 4, 2, 2).moved([&](const Point3d& p) { return p + Point3d(0, 0, 14 + gap); });
+		for (const double radius : {0.0, 10.0}) {
+			LabelRequest request = Round();
+			request.text = "A";
+			request.position = {0, 0, 10};
+			request.wrapRadius = radius;
+			EXPECT_EQ(ProblemBeside(shaft, wall, request), RequestProblem::HiddenRound) << gap;
+			request.offsetU = 31;
+			EXPECT_EQ(ProblemBeside(shaft, wall, request), labelled) << "on the other side nothing is before it";
+		}
+	}
+	Shape bore = shaft;
+	for (auto& f : bore.faces) std::swap(f[1], f[2]);
+	LabelRequest inside = Round();
+	inside.text = "A";
+	inside.position = {0, 0, -10};
+	EXPECT_EQ(ProblemBeside(bore, rod, inside), RequestProblem::HiddenRound);
+	EXPECT_EQ(ProblemBeside(bore, rod.moved([](const Point3d& p) { return p + Point3d(0, 0, 5); }), inside), labelled)
+		<< "beyond the axis nothing hides it";
 }
 
 // A shift goes round the part; a width may be nearly all the way.
