@@ -302,10 +302,8 @@ std::string ErrorText(const RequestError& error)
 	case RequestProblem::HiddenRound:
 		return "Another surface lies " + Figure(error.value) +
 		       " before the place of the label, seen towards the axis (in a pipe, from the axis), and the letters "
-		       "would "
-		       "land on it. Move the label to that surface, or to where nothing is before it; or label the place "
-		       "without "
-		       "wrapping, from a direction that shows it. In a pipe, wrap_radius is negative.";
+		       "would land on it. Move the label to that surface, or to where nothing is before it; or label the "
+		       "place without wrapping, from a direction that shows it. In a pipe, wrap_radius is negative.";
 	case RequestProblem::WrapNeedsPlace:
 		return "A label that is wrapped needs a place. Give a position and a direction (in the dialog and in scripts "
 			   "with the placement Point and direction), or a view.";

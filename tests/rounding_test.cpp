@@ -42,4 +42,17 @@ TEST(Precision, TextFilesHaveStepsOfTheirOwn)
 	EXPECT_TRUE((Precision{false, true}.isExact()));
 }
 
+// What is said to stay is not rounded at all: of a mesh's own coordinates, floats where it has floats.
+TEST(Precision, KeepsWhatTheMeshStores)
+{
+	const double third = 1.0 / 3, stored = float(third);
+	for (const bool isFloat : {true, false})
+		for (const bool storesDouble : {true, false})
+			for (const int digits : {0, 6}) {
+				const Precision p{isFloat, storesDouble, digits};
+				const double coordinate = storesDouble ? third : stored;
+				EXPECT_EQ(p.keepsStored(), p.round(coordinate) == coordinate) << isFloat << storesDouble << digits;
+			}
+}
+
 }  // namespace

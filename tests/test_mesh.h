@@ -185,6 +185,19 @@ inline Shape Sphere(double radius, int slices, int stacks)
 	return s;
 }
 
+/// Around y: the radius at each height, in steps of one; open at both ends.
+inline Shape Turned(const std::vector<double>& radii, int sides, double step = 1)
+{
+	const int rows = int(radii.size()) - 1;
+	Shape s = Sheet(sides, rows, [&](int i, int j) {
+		const double a = 2 * M_PI * i / sides, r = radii[size_t(j)];
+		return vcg::Point3d(r * std::sin(a), step * (j - rows / 2.0), r * std::cos(a));
+	});
+	for (auto& f : s.faces)  // the last column is the first
+		for (int& v : f) v -= v % (sides + 1) == sides ? sides : 0;
+	return s;
+}
+
 /// A cylinder along y, closed by fans; `rings` quads along it.
 inline Shape Cylinder(double radius, double length, int sides, int rings)
 {
