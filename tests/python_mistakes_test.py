@@ -2,9 +2,11 @@
 
 import os
 import shutil
+import subprocess
+import sys
 import unittest
 
-from python_support import MESHES, PLUGIN, InFolder, Mesh, np, pymeshlab, surface_faults
+from python_support import MESHES, PLUGIN, InFolder, Mesh, environment, np, pymeshlab, surface_faults
 
 import textlabel
 
@@ -61,6 +63,20 @@ CHECKED = [
     ("half a character", "A\ud800", {}, ["text"]),
 ]
 
+AFTER_A_FAILURE = """
+import sys, pymeshlab, textlabel
+textlabel.load_plugin()
+part, other, mesh_set = sys.argv[1], pymeshlab.MeshSet(), pymeshlab.MeshSet()
+mesh_set.load_new_mesh(part)
+try:
+    {}
+except Exception:
+    print("refused")
+del mesh_set
+other.load_new_mesh(part)
+print("read")
+"""
+
 
 def snapshot(meshes):
     mesh = meshes.current_mesh()
@@ -76,7 +92,7 @@ class Mistakes(InFolder):
 
     def check_usable(self):
         before = self.meshes.current_mesh().face_number()
-        report = self.meshes.apply_filter(textlabel.FILTER, text="A43", **PLACE)
+        report = self.meshes.apply_text_label(text="A43", **PLACE)
         self.assertEqual(self.meshes.current_mesh().face_number(), before + report["triangles_added"])
         self.assertEqual((report["border_edges"], report["genus"]), (0, 6))
 
@@ -85,7 +101,7 @@ class Mistakes(InFolder):
         for name, keywords, words in RAW:
             with self.subTest(name):
                 with self.assertRaises(Exception) as caught:
-                    self.meshes.apply_filter(textlabel.FILTER, **keywords)
+                    self.meshes.apply_text_label(**keywords)
                 for word in words:
                     self.assertIn(word, str(caught.exception))
                 self.assertEqual(snapshot(self.meshes), untouched)
@@ -125,6 +141,23 @@ class Mistakes(InFolder):
         mesh = self.meshes.current_mesh()
         points, faces = np.unique(mesh.vertex_matrix(), axis=0, return_inverse=True)
         self.assertEqual(surface_faults(Mesh(points, faces.reshape(-1)[mesh.face_matrix()])), [])
+
+    def test_a_file_is_read_after_the_mesh_set_of_a_failure_is_gone(self):
+        method, on_a_set, on_a_file = (
+            "mesh_set.apply_text_label(text='')",
+            "textlabel.label(mesh_set, '')",
+            "textlabel.label(part, '', 'x.stl')",
+        )
+        for failing in (method, on_a_set, on_a_file):
+            with self.subTest(failing):
+                ended = subprocess.run(
+                    [sys.executable, "-c", AFTER_A_FAILURE.format(failing), MESHES / "bracket.stl"],
+                    env={**environment(), "MALLOC_PERTURB_": "165"},  # what is freed is overwritten
+                    cwd=self.folder,
+                    capture_output=True,
+                    text=True,
+                )
+                self.assertEqual((ended.stdout, ended.stderr, ended.returncode), ("refused\nread\n", "", 0))
 
     def test_loaded_twice(self):
         with self.assertRaises(pymeshlab.PyMeshLabException):
@@ -210,11 +243,11 @@ class Mistakes(InFolder):
                 with self.subTest(f"{name}={choice}"):
                     self.assertEqual(textlabel.plugin.parse_value(name, choice.lower()), number)
                     try:
-                        self.meshes.apply_filter(textlabel.FILTER, text="", **{name: choice})
+                        self.meshes.apply_text_label(text="", **{name: choice})
                     except Exception as error:
                         self.assertNotIn("Enum", str(error))
             with self.assertRaises(Exception) as caught:
-                self.meshes.apply_filter(textlabel.FILTER, text="", **{name: len(choices) + 1})
+                self.meshes.apply_text_label(text="", **{name: len(choices) + 1})
             self.assertIn("Enum", str(caught.exception))
 
 

@@ -11,7 +11,7 @@ import pymeshlab
 
 from . import files, formats
 from .aside import Aside
-from .plugin import FILTER, LabelError, check_values, load_plugin, naming
+from .plugin import FILTER, LabelError, check_values, load_plugin, naming, run_filter
 
 NO_TEXTURE = "dummy.png"  # what MeshLab calls the picture in place of a texture that it cannot load
 WITH_TEXTURES_INSIDE = (".glb", ".gltf", ".3mf")  # endings: a file of a texture's name need not be that texture
@@ -82,7 +82,7 @@ class Part:
             self._refuse_lost_textures()
             _refuse_far_textures(self._set, f"the mesh '{self.path}'")
         untouched = self._textures_beside(output)
-        self._set.apply_filter("generate_copy_of_current_mesh")
+        run_filter(self._set, "generate_copy_of_current_mesh")
         try:
             with Aside(taken=[self.path, output]) as aside:
                 reports = _apply_all(self._set, [{**parameters, "text": text}, *also], output, aside)
@@ -126,7 +126,8 @@ def _unite_layers(mesh_set):
             mesh_set.set_current_mesh(layer.id())
             _color_faces(mesh_set)
     if len(mesh_set) > 1:
-        mesh_set.apply_filter(
+        run_filter(
+            mesh_set,
             "generate_by_merging_visible_meshes",
             mergevisible=True,
             deletelayer=True,
@@ -144,9 +145,9 @@ def _freeze_matrix(mesh_set):
     if not _has_matrix(mesh_set):
         return
     mirrors = np.linalg.det(mesh_set.current_mesh().transform_matrix()) < 0
-    mesh_set.apply_filter("apply_matrix_freeze")
+    run_filter(mesh_set, "apply_matrix_freeze")
     if mirrors:  # a mirror image is inside out
-        mesh_set.apply_filter("meshing_invert_face_orientation", forceflip=True)
+        run_filter(mesh_set, "meshing_invert_face_orientation", forceflip=True)
 
 
 def _save_in_place(mesh_set, output, report):
@@ -155,7 +156,7 @@ def _save_in_place(mesh_set, output, report):
         _save(mesh_set, output, report)
         return
     original = mesh_set.current_mesh_id()
-    mesh_set.apply_filter("generate_copy_of_current_mesh")
+    run_filter(mesh_set, "generate_copy_of_current_mesh")
     try:
         _freeze_matrix(mesh_set)
         _save(mesh_set, output, report)
@@ -167,9 +168,9 @@ def _save_in_place(mesh_set, output, report):
 def _color_faces(mesh_set):
     """Give the current mesh's faces the colours of their vertices, or white when it has none at all."""
     if mesh_set.current_mesh().has_vertex_color():
-        mesh_set.apply_filter("compute_color_transfer_vertex_to_face")
+        run_filter(mesh_set, "compute_color_transfer_vertex_to_face")
     else:
-        mesh_set.apply_filter("compute_color_by_function_per_face", r="255", g="255", b="255", a="255")
+        run_filter(mesh_set, "compute_color_by_function_per_face", r="255", g="255", b="255", a="255")
 
 
 def _check_also(also):
@@ -200,7 +201,7 @@ def _apply(mesh_set, values, output):
     if output is not None:
         formats.refuse_lost_color(values, output)
     try:
-        report = mesh_set.apply_filter(FILTER, **values)
+        report = run_filter(mesh_set, FILTER, **values)
     except Exception as error:  # PyMeshLab has several kinds, without a common base
         raise LabelError(_reason(error)) from error
     return {name: _plain(value) for name, value in report.items()}

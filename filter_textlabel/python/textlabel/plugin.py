@@ -78,13 +78,26 @@ def _load(path):
         ) from error
 
 
+def run_filter(mesh_set, name, **values):
+    """apply_filter(), for any filter, such that its failure is the end of it.
+
+    PyMeshLab 2025.7 keeps the log of a MeshSet in which a filter failed as the place for what is said on the next file that
+    is read, also when that MeshSet is gone by then, which ends Python. It is forgotten when any filter ends well.
+    """
+    try:
+        return mesh_set.apply_filter(name, **values)
+    except Exception:
+        pymeshlab.MeshSet().apply_filter("create_cube")
+        raise
+
+
 def _method(self, **values):
     """The filter with these values, which go to apply_filter() as they are; see textlabel.defaults().
 
     PyMeshLab makes methods of its own filters only, when it is imported; MeshLab's "Copy PyMeshLab call to clipboard"
     counts on one for every filter.
     """
-    return self.apply_filter(FILTER, **values)
+    return run_filter(self, FILTER, **values)
 
 
 _method.__name__ = _method.__qualname__ = FILTER
@@ -98,7 +111,7 @@ def defaults():
     if not _defaults:
         load_plugin()
         mesh_set = pymeshlab.MeshSet()
-        mesh_set.apply_filter("create_cube")
+        run_filter(mesh_set, "create_cube")
         _defaults.update(mesh_set.filter_parameter_values(FILTER))
     return dict(_defaults)
 
