@@ -149,18 +149,23 @@ TEST(Suspects, MembersThatOverlapBesideTheLayersBox)
 	face(add(0, 6), add(8, 6), add(0, 8));     // reaches out, and meets none
 	face(add(1, -3), add(4, -3), add(1, -1));  // within
 	for (int i = 0; i < 200; ++i) face(add(-9, 9 - 0.05 * i), add(-8, 9 - 0.05 * i), add(-9, 9.04 - 0.05 * i));
-	SheetLayer layer;
-	layer.isSingle = true;
-	layer.member.assign(sheet.triangles.size(), 1);
-	layer.box.add({-10, -10});
-	layer.box.add({5, 10});
+	const auto singleUpTo = [&sheet](double x) {
+		SheetLayer layer;
+		PlaneBox box;
+		box.add({-10, -10});
+		box.add({x, 10});
+		layer.isSingle = true;
+		layer.cells = PlaneCells(box, 1);
+		layer.single.assign(1, 1);
+		layer.member.assign(sheet.triangles.size(), 1);
+		return layer;
+	};
 	std::vector<int> changed(sheet.triangles.size());
 	for (size_t i = 0; i < changed.size(); ++i) changed[i] = int(i);
-	std::vector<std::array<int, 2>> pairs = detail::FindNearPairs(sheet, layer, changed, 0, 1e-6);
+	std::vector<std::array<int, 2>> pairs = detail::FindNearPairs(sheet, singleUpTo(5), changed, 0, 1e-6);
 	std::sort(pairs.begin(), pairs.end());
 	EXPECT_EQ(pairs, (std::vector<std::array<int, 2>>{{0, 1}, {1, 0}}));
-	layer.box.add({9, 10});  // said to be single where they meet
-	EXPECT_TRUE(detail::FindNearPairs(sheet, layer, changed, 0, 1e-6).empty());
+	EXPECT_TRUE(detail::FindNearPairs(sheet, singleUpTo(9), changed, 0, 1e-6).empty());  // said to be single where they meet
 }
 
 }  // namespace

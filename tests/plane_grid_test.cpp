@@ -108,7 +108,7 @@ TEST(PlaneGrid, LeavesOutWhatMeetsWithinABox)
 				++found;
 				isNextFound = isNextFound || k == (i + 1) % count;
 			},
-			hub);
+			[&](const PlaneBox& cell) { return hub.holds(cell); });
 		EXPECT_TRUE(isNextFound) << i;
 	}
 	EXPECT_LT(found, size_t(count) * count / 10);
@@ -128,7 +128,8 @@ TEST(PlaneGrid, FindsWhatMeetsInAStripBesideTheBox)
 		PlaneGrid grid(triangles);
 		bool isFound = false;
 		grid.query(
-			around, 0, [&](int i) { isFound = isFound || i == int(triangles.size()) - 1; }, box);
+			around, 0, [&](int i) { isFound = isFound || i == int(triangles.size()) - 1; },
+			[&](const PlaneBox& cell) { return box.holds(cell); });
 		EXPECT_TRUE(isFound) << border;
 	}
 }

@@ -24,7 +24,7 @@ struct Clearance {
 
 /// Measure the room behind the letters and check that nothing hides them, no triangle that reaches behind the camera either.
 /// @param[in] resolution  world units; overlaps thinner than this are neighbours that touch
-/// @param[in] layer  of the label: its members need no look, since within its box they can't overlap the letters
+/// @param[in] layer  of the label: its members are looked at only where it does not keep them apart from the letters
 /// @param[in] within  world units: what lies deeper below the letters is not looked for
 /// @throws Error{Occluded} naming the face in front, and the place
 Clearance MeasureClearance(const LabelSpace& space, const Sheet& sheet, const CutLabel& cut, double resolution,
@@ -166,9 +166,11 @@ public:
 	/// @param[in] face  of the mesh
 	/// @param[in] nearest  label space: its largest z
 	/// @param[in] pointOn  gives where it is seen at a point of the label plane, label space
+	/// @param[in] without  says of a box of the label plane that the letters are not overlapped there
 	/// @throws Error{Occluded}
-	template <class PointOn>
-	void compare(const PlaneTriangle& corner, int parent, int face, double nearest, const PointOn& pointOn)
+	template <class PointOn, class Without>
+	void compare(const PlaneTriangle& corner, int parent, int face, double nearest, const PointOn& pointOn,
+	             const Without& without)
 	{
 		// what lies deeper than the best found so far, measured along w, lies deeper along the rays as well
 		const auto isDeep = [&](double z) { return z - nearest >= std::min(within_, found_.behind); };
@@ -177,7 +179,7 @@ public:
 			letters_ = std::make_unique<LetterSurface>(sheet_, cut_);
 			grid_ = std::make_unique<PlaneGrid>(letters_->plane);
 		}
-		grid_->query(corner, 0, [&](int s) {
+		const auto compareWith = [&](int s) {
 			if (letters_->parent[size_t(s)] == parent || isDeep(letters_->farthest[size_t(s)])) return;
 			const PlaneTriangle& letter = letters_->plane[size_t(s)];
 			if (AreApart(letter, corner, resolution_) || AreApart(corner, letter, resolution_)) return;
@@ -204,7 +206,8 @@ public:
 					.atFace(face)
 					.atPlace(space_.toMesh(place));
 			if (least < found_.behind) found_ = {std::max(least, 0.0), space_.toMesh(place), face};
-		});
+		};
+		grid_->query(corner, 0, compareWith, without);
 	}
 	const Clearance& found() const { return found_; }
 
@@ -224,11 +227,18 @@ inline Clearance MeasureClearance(const LabelSpace& space, const Sheet& sheet, c
                                   const SheetLayer& layer, double within)
 {
 	detail::ClearanceSearch search(space, sheet, cut, resolution, within);
-	for (int t = 0; t < int(sheet.triangles.size()); ++t)
-		if (!layer.has(t))
-			search.compare(detail::CornersInPlane(sheet, t), t, sheet.triangles[size_t(t)].face,
-			               detail::NearestZ(sheet, t),
-			               [&](const vcg::Point2d& p) { return PointOnTriangle(space, sheet, t, p); });
+	const auto nowhere = [](const PlaneBox&) { return false; };
+	const auto inLayer = [&](const PlaneBox& box) { return layer.holds(box); };
+	for (int t = 0; t < int(sheet.triangles.size()); ++t) {
+		if (layer.has(t) && layer.isWhole()) continue;  // the letters are within its box
+		const PlaneTriangle corners = detail::CornersInPlane(sheet, t);
+		const auto pointOn = [&](const vcg::Point2d& p) { return PointOnTriangle(space, sheet, t, p); };
+		const auto compare = [&](const auto& without) {
+			search.compare(corners, t, sheet.triangles[size_t(t)].face, detail::NearestZ(sheet, t), pointOn, without);
+		};
+		if (!layer.has(t)) compare(nowhere);
+		else if (!layer.holds(BoxOfTriangle(corners))) compare(inLayer);
+	}
 	if (!space.perspective())
 		return search.found();  // what the axis goes through is not seen; patch_check.h looks at it
 	for (const StraddlingTriangle& t : sheet.straddling) {
@@ -238,7 +248,7 @@ inline Clearance MeasureClearance(const LabelSpace& space, const Sheet& sheet, c
 			return c + ray * ((normal * (t.label[0] - c)) / (normal * ray));
 		};
 		for (const PlaneTriangle& piece : detail::SeenOfStraddling(space, t))
-			search.compare(piece, -1, t.face, std::numeric_limits<double>::infinity(), pointOn);
+			search.compare(piece, -1, t.face, std::numeric_limits<double>::infinity(), pointOn, nowhere);
 	}
 	return search.found();
 }

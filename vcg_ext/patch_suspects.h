@@ -211,7 +211,8 @@ struct TriangleGroup {
 	std::unique_ptr<PlaneGrid> grid;  // most labels need none
 
 	template <class Use>
-	void query(const Sheet& sheet, const PlaneTriangle& around, double reach, Use&& use, const PlaneBox& without = {})
+	void query(const Sheet& sheet, const PlaneTriangle& around, double reach, Use&& use,
+	           const SheetLayer* without = nullptr)
 	{
 		if (triangle.empty()) return;
 		if (!grid) {
@@ -221,7 +222,8 @@ struct TriangleGroup {
 			grid = std::make_unique<PlaneGrid>(corners);
 		}
 		grid->query(
-			around, reach, [&](int i) { use(triangle[size_t(i)]); }, without);
+			around, reach, [&](int i) { use(triangle[size_t(i)]); },
+			[&](const PlaneBox& box) { return without && without->holds(box); });
 	}
 };
 
@@ -229,7 +231,7 @@ struct TriangleGroup {
 inline std::vector<std::array<int, 2>> FindNearPairs(const Sheet& sheet, const SheetLayer& layer,
                                                      const std::vector<int>& changed, double sunk, double slack)
 {
-	TriangleGroup inside, rim;  // members, of the layer's box: the layer keeps its members apart only there
+	TriangleGroup inside, rim;  // members; inside are those that the layer keeps apart from all members
 	TriangleGroup strangers;
 	const auto farthest = [&](int t) {
 		const auto& v = sheet.triangles[size_t(t)].vertex;
@@ -238,13 +240,12 @@ inline std::vector<std::array<int, 2>> FindNearPairs(const Sheet& sheet, const S
 	};
 	double deepest = std::numeric_limits<double>::infinity();
 	for (const int t : changed) {
-		const bool isInside = layer.has(t) && layer.box.holds(BoxOfTriangle(CornersInPlane(sheet, t)));
+		const bool isInside = layer.has(t) && layer.holds(BoxOfTriangle(CornersInPlane(sheet, t)));
 		(isInside ? inside : layer.has(t) ? rim : strangers).triangle.push_back(t);
 		deepest = std::min(deepest, farthest(t));
 	}
 	std::vector<std::array<int, 2>> pairs;
 	for (int t = 0; t < int(sheet.triangles.size()); ++t) {
-		const bool isMember = layer.has(t);
 		const double nearest = NearestZ(sheet, t);
 		if (nearest < deepest) continue;
 		const PlaneTriangle corners = CornersInPlane(sheet, t);
@@ -253,11 +254,11 @@ inline std::vector<std::array<int, 2>> FindNearPairs(const Sheet& sheet, const S
 			if (!ArePlainlyApart(sheet, other, t, slack)) pairs.push_back({other, t});
 		};
 		strangers.query(sheet, corners, slack, judge);
-		if (!isMember) {
+		if (!layer.has(t)) {
 			rim.query(sheet, corners, slack, judge);
 			inside.query(sheet, corners, slack, judge);
-		} else if (!layer.box.holds(BoxOfTriangle(corners))) {  // else it overlaps no member: that would be in the box
-			rim.query(sheet, corners, slack, judge, layer.box);
+		} else if (!layer.holds(BoxOfTriangle(corners))) {
+			rim.query(sheet, corners, slack, judge, &layer);
 		}
 	}
 	return pairs;

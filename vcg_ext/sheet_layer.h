@@ -1,23 +1,34 @@
 #pragma once
-// The layer: the candidates that hang together with the label, when they lie over its box like one sheet of paper.
+// The layer: the candidates that hang together with the label, and where they lie over its box like one sheet of paper.
 //
 // Most labels stand on a surface that covers their box once. Then no two of its triangles overlap in the label plane, and what
-// would be a search for pairs becomes one count. The proof: every triangle of the layer is counter-clockwise in the plane and no
-// border edge of the layer enters the box, so each point of the box is covered equally often; it is enough to count at one.
-// Where that does not hold (an edge of the part runs through the box, the part winds over itself) nothing is claimed.
+// would be a search for pairs becomes one count. The proof: every triangle of the layer is counter-clockwise in the plane, so the
+// number of triangles over a point changes only across the border of the layer; where no border edge enters the box, it is enough to
+// count at one point. Where some do (the text nearly fills a round face, an edge of the part runs through the box), the box is
+// divided into cells: those that border edges meet are left to the search, and of the others those that hang together with a
+// contour's start are counted there. Where a part winds over itself nothing is claimed.
 
+#include "plane_cells.h"
 #include "sheet.h"
 
 namespace vcg::textlabel {
 
 struct SheetLayer {
-	/// Over `box` the members cover the label plane exactly once; false claims nothing.
+	/// Over some cells the members cover the label plane exactly once; false claims nothing.
 	bool isSingle = false;
-	PlaneBox box;
+	PlaneCells cells;          ///< over the sheet's box
+	std::vector<char> single;  ///< #cells: 1 where they do
 	std::vector<char> member;  ///< #T; of no account unless isSingle
 
-	/// Two members that meet within the box can't overlap in the label plane.
 	bool has(int triangle) const { return isSingle && member[size_t(triangle)] != 0; }
+	/// Whether no two members overlap in a box of the label plane.
+	bool holds(const PlaneBox& box) const
+	{
+		return isSingle && cells.box().holds(box) &&
+		       cells.allOf(box, [&](size_t cell) { return single[cell] != 0; });
+	}
+	/// Whether none do in the whole box of the sheet.
+	bool isWhole() const { return isSingle && cells.count() == 1; }
 };
 
 /// Find the layer of a label.
@@ -61,39 +72,80 @@ inline int CountCovers(const Sheet& sheet, const SheetLayer& layer, const vcg::P
 	return covers;
 }
 
-}  // namespace detail
-
-inline SheetLayer FindLayer(const Sheet& sheet, const Outline& outline, const std::vector<int>& seeds)
+/// Gather all that hangs together with a triangle over what faces the viewer.
+/// @return the half-edges of its border that may enter the box
+inline std::vector<int> GatherMembers(const Sheet& sheet, int seed, std::vector<char>& member)
 {
-	SheetLayer layer;
-	layer.box = sheet.box;
-	layer.member.assign(sheet.triangles.size(), 0);
-	std::vector<int> stack(1, seeds[0]);
-	layer.member[size_t(seeds[0])] = 1;
-	bool isOpen = false;
-	while (!stack.empty() && !isOpen) {
+	std::vector<int> border, stack(1, seed);
+	member[size_t(seed)] = 1;
+	while (!stack.empty()) {
 		const int t = stack.back();
 		stack.pop_back();
 		for (int h = 3 * t; h < 3 * t + 3; ++h) {
 			const int across = sheet.facingAcross(h);
 			if (across < 0) {
-				isOpen = isOpen || detail::MayEnter(layer.box, sheet.plane(sheet.from(h)), sheet.plane(sheet.to(h)));
-			} else if (!layer.member[size_t(across)]) {
-				layer.member[size_t(across)] = 1;
+				if (MayEnter(sheet.box, sheet.plane(sheet.from(h)), sheet.plane(sheet.to(h)))) border.push_back(h);
+			} else if (!member[size_t(across)]) {
+				member[size_t(across)] = 1;
 				stack.push_back(across);
 			}
 		}
 	}
+	return border;
+}
+
+/// The cells that hang together with a cell over others for which isFree holds; they are free no longer.
+inline std::vector<size_t> TakeConnected(const PlaneCells& cells, size_t first, std::vector<char>& isFree)
+{
+	const size_t side = size_t(cells.side());
+	std::vector<size_t> taken(1, first);
+	isFree[first] = 0;
+	const auto take = [&](size_t cell) {
+		if (std::exchange(isFree[cell], 0)) taken.push_back(cell);
+	};
+	for (size_t i = 0; i < taken.size(); ++i) {
+		const size_t cell = taken[i], x = cell % side, y = cell / side;
+		if (x > 0) take(cell - 1);
+		if (x + 1 < side) take(cell + 1);
+		if (y > 0) take(cell - side);
+		if (y + 1 < side) take(cell + side);
+	}
+	return taken;
+}
+
+}  // namespace detail
+
+inline SheetLayer FindLayer(const Sheet& sheet, const Outline& outline, const std::vector<int>& seeds)
+{
+	constexpr int fewestCells = 8, mostCells = 64;  // along a side
+	constexpr int mostCounts = 8;                   // each looks at all candidates
+	constexpr double around = 0.25;                 // of a cell: what rounding may move stays single
+	SheetLayer layer;
+	layer.member.assign(sheet.triangles.size(), 0);
+	const std::vector<int> border = detail::GatherMembers(sheet, seeds[0], layer.member);
 	const auto isMember = [&layer](int seed) { return layer.member[size_t(seed)] != 0; };
-	if (isOpen || !std::all_of(seeds.begin(), seeds.end(), isMember)) return layer;  // or it stands on several surfaces
-	for (size_t i = 0; i < seeds.size(); ++i) {
+	if (!std::all_of(seeds.begin(), seeds.end(), isMember)) return layer;  // it stands on several surfaces
+	const int members = int(std::count(layer.member.begin(), layer.member.end(), 1));
+	const int side = border.empty() ? 1 : std::clamp(int(std::sqrt(double(members))), fewestCells, mostCells);
+	layer.cells = PlaneCells(sheet.box, side);
+	layer.single.assign(layer.cells.count(), 0);
+	std::vector<char> isFree(layer.cells.count(), 1);
+	const double reach = around * std::max(sheet.box.width(), sheet.box.height()) / side;
+	for (const int h : border) {
+		const vcg::Point2d &a = sheet.plane(sheet.from(h)), &b = sheet.plane(sheet.to(h));
+		layer.cells.visit({a, b, b}, reach, [&](int x, int y) { isFree[layer.cells.number(x, y)] = 0; });
+	}
+	for (size_t i = 0, counts = 0; i < seeds.size() && counts < mostCounts; ++i) {
 		const auto& v = sheet.triangles[size_t(seeds[i])].vertex;
 		for (const vcg::Point2d& p :
 		     {outline.contours[i].points[0], (sheet.plane(v[0]) + sheet.plane(v[1]) + sheet.plane(v[2])) / 3}) {
-			const int covers = layer.box.holds(p) ? detail::CountCovers(sheet, layer, p) : -1;
+			if (!sheet.box.holds(p) || !isFree[layer.cells.numberAt(p)]) continue;
+			++counts;
+			const int covers = detail::CountCovers(sheet, layer, p);
 			if (covers < 0) continue;  // on an edge there is no count
-			layer.isSingle = covers == 1;
-			return layer;
+			for (const size_t cell : detail::TakeConnected(layer.cells, layer.cells.numberAt(p), isFree))
+				layer.single[cell] = covers == 1;
+			layer.isSingle = layer.isSingle || covers == 1;
 		}
 	}
 	return layer;
