@@ -26,7 +26,7 @@ click() { xdotool mousemove "$1" "$2" sleep 0.1 click 1 sleep 0.5; }
 wait_for() {
 	local what=$1 i
 	shift
-	for ((i = 0; i < 300; i++)); do
+	for ((i = 0; i < 900; i++)); do
 		"$@" >/dev/null 2>&1 && return
 		kill -0 "$meshlab_pid" 2>/dev/null || die "MeshLab has ended while the test waited for: $what"
 		sleep 0.1
@@ -88,7 +88,8 @@ report=$(sed -n 's/^Text Label: \({.*\)/\1/p' errors | head -n 1)
 click 1160 $((bottom - 23))
 
 # Export (over part.stl; the dialog's OK is its default)
-xdotool windowfocus "$main" key ctrl+e sleep 1
+xdotool windowfocus "$main" key ctrl+e
+wait_for "the saving options" window 'Saving Options'
 shot 5-export
 xdotool key Return
 wait_for "the saved mesh" grep -q "Saved Mesh" errors

@@ -82,7 +82,7 @@ for signal in TERM HUP INT; do
 	while [ -z "$meshlab" ] && kill -0 $running 2>/dev/null; do meshlab=$(meshlab_of "$work/signalled"); done
 	[ -n "$meshlab" ] && kill -STOP "$meshlab" || { fail "no meshlabserver seen"; continue; }
 	kill -$signal $running
-	for _ in $(seq 100); do kill -0 $running || break; sleep 0.1; done 2>/dev/null  # here the shell also says how it ended
+	for _ in $(seq 600); do kill -0 $running || break; sleep 0.1; done 2>/dev/null  # here the shell also says how it ended
 	if kill -0 "$meshlab" 2>/dev/null; then
 		fail "meshlabserver outlives label.sh after SIG$signal"
 		kill -KILL "$meshlab"

@@ -65,8 +65,10 @@ TEST_P(Corpus, IsUnitedAsExpected)
 		const United united = UniteLetters(letters, {expected.tolerance * v.scale, 0});
 		// a mapped corner is rounded, which turns a touch into a crossing or a gap of a rounding error
 		const double slack = expected.slack + (v.exact ? 0 : 1e-2);
-		const std::string where = std::string(v.name) + ": " +
-		                          Saved(letters, expected.tolerance * v.scale, testing::TempDir() + "/unite-" + v.name);
+		const std::string where =
+			std::string(v.name) + ": " +
+			Saved(letters, expected.tolerance * v.scale,
+		          testing::TempDir() + std::filesystem::path(GetParam()).stem().string() + "-" + v.name);
 		EXPECT_EQ(FlawOf(united.outline), "") << where;
 		if (expected.exact && !v.exact) continue;
 		if (expected.contours >= 0) {

@@ -36,6 +36,7 @@ from textlabel import crew
 from textlabel.__main__ import main
 from textlabel.manifest import sha256
 
+MANY = 150  # some seconds of work: enough to be met in the middle of it
 COUNT = int(os.environ.get("TEXTLABEL_SERIALS", "60"))
 PLACE = ["--at", "0,-20,8", "--direction", "0,0,1", "--up", "0,1,0", "--size", "7", "--depth", "1"]
 BRACKET = MESHES / "bracket.stl"
@@ -184,7 +185,7 @@ class Numbers(InFolder):
             self.assertEqual(alone.read_bytes(), (self.output / f"bracket-{text}.stl").read_bytes())
 
     def test_interrupted_at_the_terminal(self):
-        texts = serials(40)
+        texts = serials(MANY)
         write_table(self.table, ["text"], [[text] for text in texts])
         process = self.start("--jobs", "2")
         wait_for(lambda: self.output.is_dir() and len(files(self.output)) >= 5, process)
@@ -194,13 +195,13 @@ class Numbers(InFolder):
         self.assertIn("same command again", said)
         self.assertNotIn("Traceback", said)
         self.assertEqual(sorted(entry["file"] for entry in entries(self.output)), files(self.output))
-        self.assertLess(len(files(self.output)), 40)
+        self.assertLess(len(files(self.output)), MANY)
         self.assertEqual(run_module(*self.arguments).returncode, 0)
         self.check_files(texts)
 
     @unittest.skipUnless(os.path.isdir("/proc/self"), "needs /proc to find the workers")
     def test_a_worker_that_dies_takes_one_row_along(self):
-        texts = serials(40)
+        texts = serials(MANY)
         write_table(self.table, ["text"], [[text] for text in texts])
         process = self.start("--jobs", "2")
         wait_for(lambda: self.output.is_dir() and len(files(self.output)) >= 5, process)
@@ -208,7 +209,7 @@ class Numbers(InFolder):
         said = process.stderr.read()
         self.assertEqual(process.wait(), 1, said)
         self.assertIn("ended unexpectedly (status -9)", said)
-        self.assertEqual(len(files(self.output)), 39)
+        self.assertEqual(len(files(self.output)), MANY - 1)
         self.assertTrue((self.output / "failed.csv").exists())
         self.assertEqual(run_module(*self.arguments).returncode, 0)
         self.assertFalse((self.output / "failed.csv").exists())
@@ -217,7 +218,7 @@ class Numbers(InFolder):
     def test_no_room_for_so_many_processes(self):
         import resource
 
-        texts = serials(40)
+        texts = serials(MANY)
         write_table(self.table, ["text"], [[text] for text in texts])
         _, hard = resource.getrlimit(resource.RLIMIT_NOFILE)
         few = functools.partial(resource.setrlimit, resource.RLIMIT_NOFILE, (64, hard))
