@@ -85,6 +85,43 @@ TEST(Commit, TextureStaysWhereShortEdgesAreCollapsed)
 		}
 }
 
+// What VCGlib does not initialise is not left to chance: the memory is full of other values before.
+TEST(Commit, CustomAttributesAreThoseOfTheOldFaceAndOfAnOldVertex)
+{
+	using Allocator = vcg::tri::Allocator<RichMesh>;
+	for (const double height : {0.0, 0.5}) {
+		RichMesh m;
+		test_mesh::Fill(m, Slanted());
+		Paint(m);
+		auto onFaces = Allocator::AddPerFaceAttribute<vcg::Point3f>(m, "place");
+		auto onVertices = Allocator::AddPerVertexAttribute<vcg::Point3f>(m, "place");
+		auto names = Allocator::AddPerVertexAttribute<std::string>(m, "name");
+		const auto placeOf = [](size_t i) { return vcg::Point3f(float(i), 0.5f, -float(i)); };
+		const size_t oldFaces = m.face.size(), oldVertices = m.vert.size();
+		for (size_t i = 0; i < oldFaces; ++i) onFaces[i] = placeOf(i);
+		for (size_t i = 0; i < oldVertices; ++i) {
+			onVertices[i] = placeOf(i);
+			names[i] = std::to_string(i);
+		}
+		std::vector<Point3d> before;
+		for (const auto& v : m.vert) before.push_back(PlaceOf(v));
+		LabelOptions options;
+		options.height = height;
+		const LabelResult result = LabelMesh(m, Moved(ThreeLetters(), 1, 0.1, 0.2, 0.05), FromAbove(), options);
+		ASSERT_GT(m.face.size(), oldFaces);
+		for (size_t i = 0; i < m.face.size(); ++i)  // Paint has numbered the faces
+			EXPECT_EQ(onFaces[i], placeOf(size_t(m.face[i].cQ()))) << i;
+		for (size_t i = 0; i < m.vert.size(); ++i) {
+			const size_t from = size_t(onVertices[i][0]);
+			EXPECT_EQ(onVertices[i], placeOf(from)) << i;
+			EXPECT_EQ(names[i], std::to_string(from)) << i;
+			if (i < oldVertices) { EXPECT_EQ(from, i); }
+			ASSERT_LT(from, oldVertices);
+			EXPECT_LE((PlaceOf(m.vert[i]) - before[from]).Norm(), 2.2) << "as far as a cell is wide: " << i;
+		}
+	}
+}
+
 struct Labelled {
 	RichMesh before, after;
 	LabelResult result;

@@ -18,7 +18,7 @@ struct CommitResult {
 };
 
 /// Write a patch into a mesh.
-/// @throws Error{OutOfMemory}; the mesh is as it was
+/// @throws Error{OutOfMemory}, std::bad_alloc; the mesh is as it was
 template <class MeshType>
 CommitResult CommitPatch(MeshType& m, const LabelSpace& space, const Sheet& sheet, const LabelPatch& patch);
 
@@ -32,27 +32,40 @@ auto Mix(const Value& a, const Value& b, const Value& c, const std::array<double
 	return double(a) * w[0] + double(b) * w[1] + double(c) * w[2];
 }
 
-/// Attributes of a new vertex from the three it lies between.
-template <class MeshType>
-void MixVertex(MeshType& m, const Sheet& sheet, const PatchVertex& from, typename MeshType::VertexType& to)
+/// Custom attributes of an element, as it is in another one. VCGlib leaves those of what it appends as they come from the memory.
+/// @param[in] attributes  of the vertices, or of the faces
+template <class Attributes>
+void CopyCustom(const Attributes& attributes, size_t to, size_t from)
 {
-	const auto parent = [&](size_t i) ->
-		typename MeshType::VertexType& { return m.vert[size_t(sheet.vertices[size_t(from.mixture.parent[i])].index)]; };
-	auto &a = parent(0), &b = parent(1), &c = parent(2);
-	to.ImportData(a);
+	for (const auto& a : attributes) a._handle->CopyValue(to, from, a._handle);
+}
+
+/// Attributes of a new vertex from the three it lies between; what can't be mixed is as in the one of which there is most.
+/// @param[in] index  of the new vertex
+template <class MeshType>
+void MixVertex(MeshType& m, const Sheet& sheet, const PatchVertex& from, size_t index)
+{
+	const auto parentIndex = [&](size_t i) { return size_t(sheet.vertices[size_t(from.mixture.parent[i])].index); };
+	const auto parent = [&](size_t i) -> typename MeshType::VertexType& { return m.vert[parentIndex(i)]; };
+	const auto& weight = from.mixture.weight;
+	const size_t nearest = size_t(std::max_element(weight.begin(), weight.end()) - weight.begin());
+	auto &to = m.vert[index], &a = parent(0), &b = parent(1), &c = parent(2);
+	to.ImportData(parent(nearest));
+	CopyCustom(m.vert_attr, index, parentIndex(nearest));
 	using Scalar = typename MeshType::ScalarType;
 	to.P() = {Scalar(from.mesh[0]), Scalar(from.mesh[1]), Scalar(from.mesh[2])};
 	if (vcg::tri::HasPerVertexColor(m))
 		for (int i = 0; i < 4; ++i)
-			to.C()[i] = static_cast<unsigned char>(
-				std::clamp(Mix(a.cC()[i], b.cC()[i], c.cC()[i], from.mixture.weight), 0.0, 255.0) + 0.5);
+			to.C()[i] =
+				static_cast<unsigned char>(std::clamp(Mix(a.cC()[i], b.cC()[i], c.cC()[i], weight), 0.0, 255.0) + 0.5);
 	if (vcg::tri::HasPerVertexQuality(m))
-		to.Q() =
-			static_cast<typename MeshType::VertexType::QualityType>(Mix(a.cQ(), b.cQ(), c.cQ(), from.mixture.weight));
+		to.Q() = static_cast<typename MeshType::VertexType::QualityType>(Mix(a.cQ(), b.cQ(), c.cQ(), weight));
+	if (vcg::tri::HasPerVertexRadius(m))
+		to.R() = static_cast<typename MeshType::VertexType::RadiusType>(Mix(a.cR(), b.cR(), c.cR(), weight));
 	if (vcg::tri::HasPerVertexTexCoord(m)) {
 		using Coordinate = typename MeshType::VertexType::TexCoordType::ScalarType;
-		to.T().u() = Coordinate(Mix(a.cT().u(), b.cT().u(), c.cT().u(), from.mixture.weight));
-		to.T().v() = Coordinate(Mix(a.cT().v(), b.cT().v(), c.cT().v(), from.mixture.weight));
+		to.T().u() = Coordinate(Mix(a.cT().u(), b.cT().u(), c.cT().u(), weight));
+		to.T().v() = Coordinate(Mix(a.cT().v(), b.cT().v(), c.cT().v(), weight));
 	}
 }
 
@@ -133,7 +146,7 @@ CommitResult CommitPatch(MeshType& m, const LabelSpace& space, const Sheet& shee
 	GrowMesh(m, patch.vertices.size(), size_t(appended));  // nothing below can fail
 
 	for (size_t i = 0; i < patch.vertices.size(); ++i)
-		detail::MixVertex(m, sheet, patch.vertices[i], m.vert[size_t(result.firstNewVertex) + i]);
+		detail::MixVertex(m, sheet, patch.vertices[i], size_t(result.firstNewVertex) + i);
 	for (const auto& [v, p] : patch.moved)
 		m.vert[size_t(sheet.vertices[size_t(v)].index)].P() = {Scalar(p[0]), Scalar(p[1]), Scalar(p[2])};
 
@@ -142,9 +155,14 @@ CommitResult CommitPatch(MeshType& m, const LabelSpace& space, const Sheet& shee
 	const bool wedges = vcg::tri::HasPerWedgeTexCoord(m);
 	for (const size_t i : guests) {
 		const PatchFace& f = patch.faces[i];
-		const FaceType& birth = m.face[size_t(sheet.triangles[size_t(f.parent)].birthFace())];
-		FaceType& to = m.face[size_t(result.faces[i])];
-		if (&to != &birth) to.ImportData(birth);
+		const size_t birthIndex = size_t(sheet.triangles[size_t(f.parent)].birthFace()),
+					 toIndex = size_t(result.faces[i]);
+		const FaceType& birth = m.face[birthIndex];
+		FaceType& to = m.face[toIndex];
+		if (toIndex != birthIndex) {
+			to.ImportData(birth);
+			detail::CopyCustom(m.face_attr, toIndex, birthIndex);
+		}
 		to.ClearAllF();
 		const auto wedge = wedges ? detail::WedgesOf(birth) : decltype(detail::WedgesOf(birth)){};
 		const auto corner = [&](int k) { return space.mirrors() && k > 0 ? 3 - k : k; };
