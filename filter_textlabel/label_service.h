@@ -104,6 +104,7 @@ LabelReport LabelJob<MeshType>::run(const LabelRequest& asked)
 	StageClock clock;
 	boxes_ = BoxesOf(m_, toWorld_);
 	vcg::textlabel::RequireCountable(m_.vert.size(), m_.face.size());
+	vcg::textlabel::detail::LayerMatrix{toWorld_};  // a bad one makes the part look empty
 	if (m_.FN() == 0 || boxes_.world.IsNull()) throw RequestError(RequestProblem::EmptyPart);
 	CheckRequest(request, boxes_.world);
 	constexpr int countedUpTo =
@@ -288,7 +289,8 @@ void LabelJob<MeshType>::updateBox()
 	m_.bbox.Import(box);
 }
 
-/// New faces get their normals; so do the vertices that are new or have moved. All faces around these are new.
+/// New faces get their normals; so do the vertices that are new, have moved, or have walls standing on them. All faces around the
+/// first two are new; those around an old vertex that a contour runs through are found by looking at all.
 /// Needs no memory: these are marked as visited.
 template <class MeshType>
 void LabelJob<MeshType>::updateNormals()
@@ -300,19 +302,37 @@ void LabelJob<MeshType>::updateNormals()
 			for (const int f : *faces)
 				for (int k = 0; k < 3; ++k) use(m_.face[size_t(f)], k);
 	};
-	eachCorner([&](auto& f, int k) { f.V(k) >= firstNew ? f.V(k)->SetV() : f.V(k)->ClearV(); });
-	if (height_ != 0)  // the old corners of a letter's top have moved with it
-		for (const int f : result_.topFaces)
+	const auto mark = [&] {
+		eachCorner([&](auto& f, int k) { f.V(k) >= firstNew ? f.V(k)->SetV() : f.V(k)->ClearV(); });
+		if (height_ == 0) return;
+		for (const int f : result_.topFaces)  // the old corners of a letter's top have moved with it
 			for (int k = 0; k < 3; ++k) m_.face[size_t(f)].V(k)->SetV();
+	};
+	mark();
+	bool isOnOld = false;
+	for (const int f : result_.wallFaces)
+		for (int k = 0; k < 3; ++k) isOnOld = isOnOld || !m_.face[size_t(f)].V(k)->IsV();
+	isOnOld = isOnOld && perVertex;
+	if (isOnOld) {
+		for (auto& v : m_.vert) v.ClearV();  // a mark may be left from what others did
+		mark();
+		for (const int f : result_.wallFaces)
+			for (int k = 0; k < 3; ++k) m_.face[size_t(f)].V(k)->SetV();
+	}
 	eachCorner([&](auto& f, int k) {
 		if (perVertex && f.V(k)->IsV()) f.V(k)->N().SetZero();
+		if (perFace && k == 0) f.N() = vcg::TriangleNormal(f).Normalize();
 	});
-	eachCorner([&](auto& f, int k) {
-		const auto normal = vcg::TriangleNormal(f).Normalize();
-		if (perFace) f.N() = normal;
-		if (perVertex && f.V(k)->IsV())  // weighted by the angle, as MeshLab does it
-			f.V(k)->N() += normal * vcg::Angle(f.P1(k) - f.P(k), f.P2(k) - f.P(k));
-	});
+	const auto addNormal = [](auto& f, int k) {  // weighted by the angle, as MeshLab does it
+		if (f.V(k)->IsV())
+			f.V(k)->N() += vcg::TriangleNormal(f).Normalize() * vcg::Angle(f.P1(k) - f.P(k), f.P2(k) - f.P(k));
+	};
+	if (isOnOld) {
+		for (auto& f : m_.face)
+			for (int k = 0; k < 3 && !f.IsD(); ++k) addNormal(f, k);
+	} else if (perVertex) {
+		eachCorner(addNormal);
+	}
 	eachCorner([&](auto& f, int k) {
 		if (!f.V(k)->IsV()) return;
 		f.V(k)->ClearV();

@@ -119,6 +119,39 @@ TEST(Service, LeavesSelectionNormalsAndBoxAsTheyShouldBe)
 	}
 }
 
+// Letters whose contours run through vertices of the part: walls stand on these, and the part goes on around them.
+TEST(Service, VerticesUnderAContourHaveTheNormalsOfAllFacesAround)
+{
+	for (const LabelStyle style : {LabelStyle::Emboss, LabelStyle::Engrave, LabelStyle::Flat}) {
+		Mesh m;
+		test_mesh::Fill(m, test_mesh::Slab(60, 40, 5, 60, 40));
+		const size_t before = m.vert.size();
+		vcg::tri::UpdateBounding<Mesh>::Box(m);
+		const auto updateNormals = [](Mesh& mesh) {
+			vcg::tri::UpdateNormal<Mesh>::PerFaceNormalized(mesh);
+			vcg::tri::UpdateNormal<Mesh>::PerVertexAngleWeighted(mesh);
+			vcg::tri::UpdateNormal<Mesh>::NormalizePerVertex(mesh);
+		};
+		updateNormals(m);
+		for (auto& v : m.vert) v.SetV();  // as a filter before may have left them
+		LabelRequest request = OnTop(16, 1);
+		request.position = {0, 0, 30};
+		request.style = style;
+		request.text = "I";
+		const Finished run = RunOn(m, request);
+		std::set<size_t> onWalls;
+		for (const int f : run.result.wallFaces)
+			for (int k = 0; k < 3; ++k) onWalls.insert(vcg::tri::Index(m, m.face[size_t(f)].V(k)));
+		const bool isRaised = style != LabelStyle::Flat;
+		EXPECT_EQ(!onWalls.empty() && *onWalls.begin() < before, isRaised) << "walls on vertices of the part";
+		Mesh fresh;
+		vcg::tri::Append<Mesh, Mesh>::MeshCopy(fresh, m);
+		updateNormals(fresh);
+		for (size_t f = 0; f < m.face.size(); ++f) EXPECT_LE((m.face[f].N() - fresh.face[f].N()).Norm(), 1e-5);
+		for (size_t v = 0; v < m.vert.size(); ++v) EXPECT_LE((m.vert[v].N() - fresh.vert[v].N()).Norm(), 1e-4) << v;
+	}
+}
+
 TEST(Service, TheBoxIsThatOfAllVerticesAlsoWhereTheLabelWasAtItsBorder)
 {
 	const test_mesh::Shape slab = test_mesh::Slab(60, 40, 5, 60, 40), sphere = test_mesh::Sphere(30, 60, 40);

@@ -220,6 +220,34 @@ inline PlaneBox LabelSpace::unrolledBox(const PlaneBox& box) const
 	return out;
 }
 
+namespace detail {
+
+/// A layer's matrix as three directions and a shift.
+struct LayerMatrix {
+	vcg::Point3d column[3], shift;
+	double determinant, norm;  ///< of the directions; Frobenius norm
+
+	/// @throws Error{BadFrame} when it is not finite, not affine or singular
+	explicit LayerMatrix(const vcg::Matrix44d& toWorld)
+	{
+		const auto bad = [](const char* why) { throw Error(ErrorCode::BadFrame, why); };
+		for (int i = 0; i < 3; ++i) {
+			for (int j = 0; j < 3; ++j) column[j][i] = toWorld.ElementAt(i, j);
+			shift[i] = toWorld.ElementAt(i, 3);
+		}
+		for (const vcg::Point3d& p : {column[0], column[1], column[2], shift})
+			if (!IsFinite(p)) bad("the layer's matrix is not finite");
+		for (int j = 0; j < 4; ++j)
+			if (toWorld.ElementAt(3, j) != (j == 3 ? 1 : 0)) bad("the layer's matrix is not affine");
+		determinant = (column[0] ^ column[1]) * column[2];
+		norm = std::sqrt(column[0].SquaredNorm() + column[1].SquaredNorm() + column[2].SquaredNorm());
+		if (!(std::abs(determinant) > std::numeric_limits<double>::epsilon() * norm * norm * norm))
+			bad("the layer's matrix is singular");
+	}
+};
+
+}  // namespace detail
+
 inline LabelSpace::LabelSpace(const LabelFrame& f, const vcg::Point2d& middle) : perspective_(f.perspective)
 {
 	constexpr double orthonormality = 1e-9;  // what a caller's rounding may leave
@@ -229,19 +257,10 @@ inline LabelSpace::LabelSpace(const LabelFrame& f, const vcg::Point2d& middle) :
 	for (const double d :
 	     {f.u * f.u - 1, f.v * f.v - 1, f.w * f.w - 1, f.u * f.v, f.v * f.w, f.w * f.u, (f.u ^ f.v) * f.w - 1})
 		if (!(std::abs(d) < orthonormality)) bad("the frame is not orthonormal and right-handed");
-	vcg::Point3d column[3], shift;
-	for (int i = 0; i < 3; ++i) {
-		for (int j = 0; j < 3; ++j) column[j][i] = f.toWorld.ElementAt(i, j);
-		shift[i] = f.toWorld.ElementAt(i, 3);
-	}
-	for (const vcg::Point3d& p : {column[0], column[1], column[2], shift})
-		if (!IsFinite(p)) bad("the layer's matrix is not finite");
-	for (int j = 0; j < 4; ++j)
-		if (f.toWorld.ElementAt(3, j) != (j == 3 ? 1 : 0)) bad("the layer's matrix is not affine");
-	const double det = (column[0] ^ column[1]) * column[2];
-	scale_ = std::sqrt(column[0].SquaredNorm() + column[1].SquaredNorm() + column[2].SquaredNorm());
-	if (!(std::abs(det) > std::numeric_limits<double>::epsilon() * scale_ * scale_ * scale_))
-		bad("the layer's matrix is singular");
+	const detail::LayerMatrix layer(f.toWorld);
+	const vcg::Point3d* const column = layer.column;
+	const double det = layer.determinant;
+	scale_ = layer.norm;
 	// a rigid layer: of all matrices of determinant 1 it has the least Frobenius norm; elsewhere that bound is enough
 	if (std::abs(det) == 1 && scale_ * scale_ <= 3 * (1 + orthonormality)) scale_ = 1;
 	mirrors_ = det < 0;
@@ -253,7 +272,7 @@ inline LabelSpace::LabelSpace(const LabelFrame& f, const vcg::Point2d& middle) :
 			meshToLabel_[i][j] = axis[i] * column[j];
 			labelToMesh_[i][j] = inverseRow[i] * axis[j];
 		}
-	meshOrigin_ = multiply(inverseRow, f.origin - shift);
+	meshOrigin_ = multiply(inverseRow, f.origin - layer.shift);
 	if (perspective_) {
 		const vcg::Point3d c = f.center - f.origin;
 		center_ = {f.u * c, f.v * c, f.w * c};
