@@ -3,6 +3,7 @@
 import collections
 import contextlib
 import os
+import shutil
 import unittest
 
 from python_support import (
@@ -189,13 +190,32 @@ class Saves(InFolder):
             self.assertAlmostEqual(inside, 48000 + report["label_area"], delta=0.01)
         self.assertTrue(textlabel.label(MESHES / "bracket.stl", "A4", self.folder / "near.stl")["survives_float32"])
 
+    def test_names_that_meshlab_cannot_take(self):
+        latin = os.fsdecode(b"caf\xe9")
+        (self.folder / latin).mkdir()
+        shutil.copy(MESHES / "bracket.stl", self.folder / latin / "part.stl")
+        for part, output in (
+            (self.folder / latin / "part.stl", self.folder / "out.stl"),
+            (MESHES / "bracket.stl", self.folder / latin / "out.stl"),
+            (MESHES / "bracket.stl", self.folder / "o\0ut.stl"),
+        ):
+            with self.subTest(output), self.assertRaisesRegex(textlabel.LabelError, "UTF-8.* Rename it"):
+                textlabel.label(part, "A4", output)
+        done = run_module("serial", self.folder / latin / "part.stl", "--count", "2", "--output", self.folder / "serials")
+        self.assertEqual(done.returncode, 1)
+        self.assertRegex(done.stderr, "UTF-8.* Rename it")
+        self.assertFalse((self.folder / "serials").exists())
+
     def test_formats_that_hold_less(self):
         meshes = pymeshlab.MeshSet()
         meshes.add_mesh(pymeshlab.Mesh(np.array(box_points(60, 40, 20), float) * 1e-5, BOX_TRIANGLES))
         tiny = self.folder / "tiny.ply"
         meshes.save_current_mesh(str(tiny))
-        self.refused(tiny, "tiny.3mf", "finer than the coordinates", "more digits", ".stl")
-        self.refused(MESHES / "bracket.stl", "bracket.ctm", "moves vertices", ".stl")
+        for name in ("tiny.3mf", "tiny.dxf"):  # six decimals
+            self.refused(tiny, name, "finer than the coordinates", "more digits", ".stl")
+        for name in ("bracket.ctm", "bracket.u3d"):
+            self.refused(MESHES / "bracket.stl", name, "moves vertices", ".stl")
+        self.refused(MESHES / "bracket.stl", "bracket.xyz", "points only", ".stl")
         textlabel.label(tiny, "A4", self.folder / "tiny.stl")
         textlabel.label(MESHES / "bracket.stl", "A4", self.folder / "bracket.3mf")
         with self.assertRaisesRegex(textlabel.LabelError, "a flat label is a colour"):

@@ -4,9 +4,11 @@ import csv
 import json
 import os
 import shutil
+import subprocess
+import sys
 import unittest
 
-from python_support import MESHES, SOURCE, InFolder, np, pymeshlab, run_module, write_textured_box
+from python_support import MESHES, SOURCE, InFolder, environment, np, pymeshlab, run_module, write_textured_box
 
 import textlabel
 from textlabel import tasks
@@ -202,6 +204,22 @@ class CommandLine(InFolder):
         lines = (self.folder / "out" / "manifest.jsonl").read_text().splitlines()
         self.assertEqual({json.loads(line)["text"] for line in lines}, {name.removesuffix(".stl") for name in names})
 
+    def test_without_stderr(self):
+        command = [sys.executable, "-m", "textlabel", "serial", str(BRACKET), "--count", "2", "--output", str(self.folder / "out")]
+        closed = ["sh", "-c", 'exec "$@" 2>&-', "sh"]
+        self.assertEqual(subprocess.run([*closed, *command], env=environment(), check=False).returncode, 0)
+        self.assertEqual(self.made(), ["bracket-0001.stl", "bracket-0002.stl", "manifest.jsonl"])
+
+    def test_lines_that_are_none_of_a_manifest(self):
+        self.run_serial(BRACKET, "--count", "1")
+        manifest = self.folder / "out" / "manifest.jsonl"
+        good = manifest.read_text()
+        for line in ("[]", '{"file": "z.stl"}', '{"file": 5, "part": "p", "text": "t", "sha256": ""}', '{"file": "z.stl", "part": "p", "text": 7, "sha256": ""}'):
+            manifest.write_text(f"{good}{line}\n")
+            said = self.run_serial(BRACKET, "--count", "2", status=2)
+            self.assertIn("line 2 of", said)
+            self.assertIn("cannot be resumed", said)
+
     def test_bad_rows_are_reported_at_the_end(self):
         (self.folder / "t.csv").write_text("text,size\nA1,7\nA2,500\nA3,x\nA4,7\n")
         said = self.run_serial(BRACKET, "--csv", "t.csv", *PLACE, "--name", "{part}/{text}", status=1)
@@ -227,6 +245,7 @@ class CommandLine(InFolder):
             ([BRACKET, "--csv", "missing.csv"], "missing.csv"),
             (["missing.stl", "--count", "2"], "missing.stl"),
             ([BRACKET, "--count", "0"], "--count"),
+            ([BRACKET, "--count", "100000000"], "at most 100000"),
             ([BRACKET, "--count", "2", "--jobs", "0"], "--jobs"),
             ([BRACKET, "--count", "2", "--text", "{part"], "{part"),
             ([BRACKET, "--count", "2", "--text", "{serial}"], "{serial}"),
@@ -357,11 +376,36 @@ class CommandLine(InFolder):
         self.assertEqual(done.returncode, 1)
         self.assertIn("Move the position", done.stderr)
         self.assertFalse((self.folder / "y.stl").exists())
-        for arguments, word in ((["--direction", "0,0,1"], "direction alone"), (["--set", "text=B"], "--set text=B")):
+        for arguments, word in (
+            (["--direction", "0,0,1"], "direction alone"),
+            (["--set", "text=B"], "--set text=B"),
+            (["--offset", "3"], "write U,V"),
+            (["--camera", "missing.xml"], "missing.xml"),
+        ):
             done = run_module("label", BRACKET, self.folder / "y.stl", "A43", *arguments)
             self.assertEqual(done.returncode, 2, done.stderr)
             self.assertIn(word, done.stderr)
             self.assertNotIn("Traceback", done.stderr)
+
+    def test_the_options_of_label_sh(self):
+        camera = self.folder / "camera.xml"
+        camera.write_text(
+            '<!DOCTYPE ViewState><project><VCGCamera TranslationVector="2 20 -108 1" LensDistortion="0 0" '
+            'ViewportPx="800 600" PixelSizeMm="0.0369161 0.0369161" CenterPx="400 300" FocalMm="19.1807" CameraType="0" '
+            'BinaryData="0" RotationMatrix="1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1 "/></project>'
+        )
+        written = {name: self.folder / f"x.{ending}" for name, ending in (("report", "json"), ("picture", "png"), ("outline", "svg"))}
+        files = [word for name, path in written.items() for word in (f"--{name}", path)]
+        for where, expected in ((["--at", "1,-21,8"], [-2, -20, 8]), (["--camera", camera], [-5, -19, 8])):
+            done = run_module(
+                "label", BRACKET, self.folder / "x.stl", "A", *where, "--offset", "-3,1", "--size", "5", "--tolerance", "0.02", *files
+            )
+            self.assertEqual(done.returncode, 0, done.stderr)
+            for a, b in zip(json.loads(written["report"].read_text())["anchor"], expected):
+                self.assertAlmostEqual(a, b, delta=1e-3)
+            for path in written.values():
+                self.assertGreater(path.stat().st_size, 100)
+                path.unlink()
 
 
 if __name__ == "__main__":

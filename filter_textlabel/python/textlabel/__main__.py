@@ -43,6 +43,7 @@ command again after an interruption: what is there and whole is kept. Serials th
 starts; rows that fail do not stop the others and are listed at the end and in failed.csv."""
 
 SHOWN = 20  # failed rows on the terminal
+MOST_NUMBERS = 100_000  # in one run: its rows are checked before anything starts, which takes seconds
 
 # flag, parameter, help
 FLAGS = [
@@ -56,7 +57,11 @@ FLAGS = [
     ("--along", "extrude_along", "viewpoint, label or surface"),
     ("--font", "font", "family or font file"),
     ("--code", "code", "a code instead of letters: data matrix, gs1 data matrix, qr code, micro qr code, aztec code, code 128"),
+    ("--tolerance", "tolerance", "largest distance between the font's curves and what is cut, mesh units"),
     ("--color", "color", "RRGGBB, of the letters' faces"),
+    ("--report", "report", "FILE.json: the report of the run"),
+    ("--picture", "picture", "FILE.png: a picture of the result"),
+    ("--outline", "outline", "FILE.svg: the flat label"),
 ]
 
 
@@ -110,6 +115,8 @@ def _add_parameters(parser):
     group.add_argument(
         "--wrap", dest="set_wrap", action="store_const", const="true", help="with --at or a camera: round the part, as on a bottle or a ring"
     )
+    group.add_argument("--camera", metavar="FILE", help="in the centre of this view: what MeshLab's \"Copy camera settings to clipboard\" gives")
+    group.add_argument("--offset", metavar="U,V", help="shift to the right and upwards, mesh units")
     group.add_argument("--set", action="append", default=[], metavar="NAME=VALUE", help="any parameter of the filter")
 
 
@@ -159,6 +166,12 @@ def _settings(arguments, is_template):
     """Parameters of the filter as texts. is_template: those with a brace are not yet values."""
     settings = {name: getattr(arguments, f"set_{name}") for name in [*(name for _, name, _ in FLAGS), "wrap"]}
     settings = {name: text for name, text in settings.items() if text is not None}
+    if arguments.camera is not None:
+        settings["camera"] = _text_of(arguments.camera)
+    if arguments.offset is not None:
+        settings["offset_u"], comma, settings["offset_v"] = arguments.offset.partition(",")
+        if not comma:
+            raise UsageError(f"--offset {arguments.offset}: write U,V.")
     for assignment in arguments.set:
         name, equals, text = assignment.partition("=")
         if not equals:
@@ -174,6 +187,13 @@ def _settings(arguments, is_template):
         else:
             parse_value(name, text)
     return settings
+
+
+def _text_of(path):
+    try:
+        return pathlib.Path(path).read_text(encoding="utf-8")
+    except (OSError, UnicodeDecodeError) as error:
+        raise UsageError(f"--camera {path}: the file cannot be read as text: {error}") from error
 
 
 def _of_each(arguments, work):
@@ -211,6 +231,8 @@ def _label(arguments):
 def _serial(arguments):
     if arguments.jobs < 1 or (arguments.count is not None and arguments.count < 1):
         raise UsageError("--jobs and --count take numbers from 1.")
+    if arguments.count is not None and arguments.count > MOST_NUMBERS:
+        raise UsageError(f"--count {arguments.count}: at most {MOST_NUMBERS} in one run. Make the next ones by --first in another run.")
     name = arguments.name or ("{part}-{text}" if arguments.csv or arguments.text else "{text}")
     arguments.text = arguments.text or ("{text}" if arguments.csv else "{part}-{n:04}")
     plan = tasks.Plan(
@@ -252,7 +274,7 @@ def _join_negative(arguments):
     """-1,0,0 after a flag is its value; argparse would take it for a flag."""
     joined = []
     for argument in arguments:
-        if joined and joined[-1] in {flag for flag, _, _ in FLAGS} and re.match(r"-[\d.]", argument):
+        if joined and joined[-1] in {"--offset", *(flag for flag, _, _ in FLAGS)} and re.match(r"-[\d.]", argument):
             joined[-1] += "=" + argument
         else:
             joined.append(argument)

@@ -12,8 +12,10 @@ WITH_DOUBLES = (".ply", ".obj", ".off")
 WITH_SINGLES = (*WITH_DOUBLES, ".stl")  # at least: what a label is checked for
 WITH_FACE_COLORS = (".ply", ".obj", ".off", ".stl")
 WITHOUT_TEXTURES = (".stl", ".off")
-LOSSY = (".ctm",)
-SIX_DECIMALS, SIX_DIGITS = -6, 6  # of other formats: the filter's file_digits
+LOSSY = (".ctm", ".u3d", ".nxs")
+WITHOUT_FACES = (".xyz",)
+WITH_DECIMALS = (".3mf", ".dxf", ".idtf")
+SIX_DECIMALS, SIX_DIGITS = -6, 6  # of these and of other formats: the filter's file_digits
 POLYGON_STEP = 1e-7  # of an OBJ file with polygons, whose coordinates are written in single precision, too
 
 FLAT = CHOICES["style"].index("Flat")
@@ -28,11 +30,13 @@ def file_digits(output):
     """The filter's parameter of that name for labels on a part that is saved there."""
     if _ending(output) in WITH_SINGLES:
         return 0
-    return SIX_DECIMALS if _ending(output) == ".3mf" else SIX_DIGITS
+    return SIX_DECIMALS if _ending(output) in WITH_DECIMALS else SIX_DIGITS
 
 
 def refuse_lossy(output):
-    """Raise LabelError for a format that moves vertices."""
+    """Raise LabelError for a format that moves vertices, or has no faces."""
+    if _ending(output) in WITHOUT_FACES:
+        raise LabelError(f"'{output}' cannot be written: its format holds points only. Write a .ply, .obj, .off or .stl file.")
     if _ending(output) in LOSSY:
         raise LabelError(
             f"'{output}' cannot be written: its format moves vertices a little, which could spoil the label. "

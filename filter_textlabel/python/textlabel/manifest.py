@@ -22,6 +22,7 @@ except ImportError:  # Windows
 NAME = "manifest.jsonl"
 UNFINISHED = ".unfinished"
 PATIENCE = 5.0  # seconds
+TEXTS = ("file", "part", "text", "sha256")  # of each line
 
 
 class Manifest:
@@ -45,6 +46,8 @@ class Manifest:
         for number, line in enumerate(lines, 1):
             try:
                 entry = json.loads(line)
+                if not all(isinstance(entry[name], str) for name in TEXTS):
+                    raise TypeError
                 entries[entry["file"]] = entry
             except (ValueError, TypeError, KeyError):
                 if number < len(lines):

@@ -11,7 +11,7 @@ import pymeshlab
 
 from . import files, formats
 from .aside import Aside
-from .plugin import FILTER, LabelError, check_values, load_plugin, naming, run_filter
+from .plugin import FILTER, LabelError, check_path, check_values, load_plugin, naming, run_filter
 
 NO_TEXTURE = "dummy.png"  # what MeshLab calls the picture in place of a texture that it cannot load
 WITH_TEXTURES_INSIDE = (".glb", ".gltf", ".3mf")  # endings: a file of a texture's name need not be that texture
@@ -57,6 +57,7 @@ class Part:
         Raises LabelError when the file cannot be read as a mesh with faces."""
         load_plugin()
         self.path = os.fspath(path)
+        check_path(self.path)
         formats.refuse_other_unit(self.path)
         self._folder = os.path.dirname(os.path.abspath(self.path))
         self._set = pymeshlab.MeshSet()
@@ -234,7 +235,12 @@ def _refuse_far_textures(mesh_set, name):
 
 def _resolved(output):
     """The path of the file to write: of a link, what it names, so that the link stays. None stays None."""
-    return None if output is None else os.path.realpath(output)
+    if output is None:
+        return None
+    check_path(output)
+    path = os.path.realpath(output)
+    check_path(path)  # the folder's name, too
+    return path
 
 
 def _save(mesh_set, output, report, untouched=()):

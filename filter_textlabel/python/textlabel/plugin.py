@@ -121,6 +121,17 @@ def near_names(name):
     return difflib.get_close_matches(name, defaults(), n=3, cutoff=0.7)
 
 
+def check_path(path):
+    """Raise LabelError for a name that PyMeshLab cannot take: one that is not UTF-8, or holds a NUL."""
+    name = os.fsdecode(path)
+    try:
+        is_good = b"\0" not in name.encode("utf-8")
+    except UnicodeEncodeError:
+        is_good = False
+    if not is_good:
+        raise LabelError(f"The name {name!r} cannot be used: MeshLab takes names in UTF-8 only. Rename it.")
+
+
 def check_name(name):
     """Raise LabelError when the filter has no such parameter."""
     if name not in defaults():

@@ -9,6 +9,7 @@ import sys
 from .crew import Crew
 from .files import Clash, font_file, sha256
 from .manifest import Manifest
+from .plugin import check_path
 from .progress import Progress
 from .tasks import Problem, UsageError, serial_of
 
@@ -31,8 +32,11 @@ def run(tasks, problems, folder, jobs, overwrite=False, quiet=False):
 
     tasks, problems: of make_tasks(). folder: for the files, manifest.jsonl and, when rows failed, failed.csv.
     overwrite: replace files that were made otherwise or by others, instead of refusing to start.
-    Returns an Outcome. Raises UsageError before anything is written when the folder's state forbids the run.
+    Returns an Outcome. Raises UsageError before anything is written when the folder's state forbids the run, LabelError for a part or
+    folder whose name MeshLab cannot take.
     """
+    for path in {folder, *(task.part for task in tasks)}:
+        check_path(os.path.abspath(path))
     manifest = _open_manifest(folder)
     outcome = Outcome(problems=list(problems))
     try:
@@ -165,7 +169,7 @@ def _write_failed(problems, path):
         path.unlink(missing_ok=True)
         return
     problems.sort(key=lambda problem: problem.row)
-    with open(path, "w", encoding="utf-8", newline="") as file:
+    with open(path, "w", encoding="utf-8", errors="backslashreplace", newline="") as file:
         table = csv.writer(file)
         table.writerow(["row", "what", "error"])
         table.writerows([problem.row, problem.what, problem.reason] for problem in problems)
