@@ -60,6 +60,16 @@ std::string TagText(FT_ULong tag)
 	return text;
 }
 
+using Axes = std::unique_ptr<FT_MM_Var, std::function<void(FT_MM_Var*)>>;
+
+/// The design axes of a face; null when it has none.
+Axes AxesOf(FT_Library library, FT_Face face)
+{
+	FT_MM_Var* axes = nullptr;
+	if (!FT_HAS_MULTIPLE_MASTERS(face) || FT_Get_MM_Var(face, &axes) != 0) return nullptr;
+	return Axes(axes, [library](FT_MM_Var* a) { FT_Done_MM_Var(library, a); });
+}
+
 std::string AxisList(const FT_MM_Var& variable)
 {
 	std::string text;
@@ -158,10 +168,8 @@ void FontFace::setAxes()
 {
 	if (m_source.axes.empty()) return;
 	const std::string first = m_source.axes.front().tag + "=" + Number(m_source.axes.front().value);
-	FT_MM_Var* raw = nullptr;
-	if (FT_Get_MM_Var(m_face.get(), &raw) != 0) throw failure(TextErrorCode::BadAxis, first);
-	const std::unique_ptr<FT_MM_Var, std::function<void(FT_MM_Var*)>> variable(
-		raw, [this](FT_MM_Var* v) { FT_Done_MM_Var(m_library.get(), v); });
+	const Axes variable = AxesOf(m_library.get(), m_face.get());
+	if (!variable) throw failure(TextErrorCode::BadAxis, first);
 	std::vector<FT_Fixed> place(variable->num_axis);
 	if (FT_Get_Var_Design_Coordinates(m_face.get(), variable->num_axis, place.data()) != 0)
 		throw failure(TextErrorCode::BadAxis, first);
@@ -197,15 +205,14 @@ void FontFace::makeShaper()
 	m_shaper.reset(hb_font_create(tables));
 	hb_face_destroy(tables);
 	hb_font_set_scale(m_shaper.get(), face->units_per_EM, face->units_per_EM);
-	FT_MM_Var* variable = nullptr;
-	if (!FT_HAS_MULTIPLE_MASTERS(face) || FT_Get_MM_Var(face, &variable) != 0) return;
+	const Axes variable = AxesOf(m_library.get(), face);
+	if (!variable) return;
 	std::vector<FT_Fixed> place(variable->num_axis);
 	std::vector<float> floats;
 	if (FT_Get_Var_Design_Coordinates(face, variable->num_axis, place.data()) == 0) {
 		for (const FT_Fixed f : place) floats.push_back(static_cast<float>(static_cast<double>(f) / kFixedOne));
 		hb_font_set_var_coords_design(m_shaper.get(), floats.data(), static_cast<unsigned>(floats.size()));
 	}
-	FT_Done_MM_Var(m_library.get(), variable);
 }
 
 void FontFace::checkMap() const

@@ -158,13 +158,15 @@ private:
 		if (item.isTab || !m_fonts.mayFallBack()) return {std::move(item)};
 		const std::vector<int> starts = clustersOf(item);
 		const std::set<int> lacking = lackingIn(item);
+		ShapedItem unshaped = item;
+		unshaped.glyphs.clear();  // a text may change its font at each letter
 		std::vector<ShapedItem> pieces;
 		for (std::size_t k = 0; k + 1 < starts.size(); ++k) {
 			const std::u32string characters = inked(starts[k], starts[k + 1]);
 			int font = item.font;
 			if (lacking.count(starts[k]) && !characters.empty()) font = std::max(font, m_fonts.fallbackFor(characters));
 			if (pieces.empty() || pieces.back().font != font) {
-				pieces.push_back(item);
+				pieces.push_back(unshaped);
 				pieces.back().begin = starts[k];
 				pieces.back().font = font;
 			}
