@@ -75,15 +75,43 @@ inline void NarrowSpan(std::int64_t a, std::int64_t c, std::int64_t& first, std:
 	else if (c < 0) last = first - 1;
 }
 
+/// Grid steps: keeps the products of ScanFace within 64 bits.
+constexpr double farthestScanned = 1e6;
+
+inline bool IsWithin(const std::array<vcg::Point3d, 3>& corner, double reach)
+{
+	return std::all_of(corner.begin(), corner.end(),
+	                   [reach](const vcg::Point3d& p) { return std::abs(p[0]) < reach && std::abs(p[1]) < reach; });
+}
+
+/// What of a face has grid coordinates up to `reach`: a convex polygon.
+inline std::vector<vcg::Point3d> Clipped(const std::array<vcg::Point3d, 3>& corner, double reach)
+{
+	std::vector<vcg::Point3d> polygon(corner.begin(), corner.end());
+	for (int axis = 0; axis < 2; axis++)
+		for (const double sign : {-1.0, 1.0}) {
+			std::vector<vcg::Point3d> kept;
+			for (size_t i = 0; i < polygon.size(); i++) {
+				const vcg::Point3d &p = polygon[i], &q = polygon[(i + 1) % polygon.size()];
+				const bool isIn = sign * p[axis] <= reach, isNextIn = sign * q[axis] <= reach;
+				if (isIn) kept.push_back(p);
+				if (isIn == isNextIn) continue;
+				// from within outwards, whichever way the face runs: its neighbour gets the same point
+				const vcg::Point3d &in = isIn ? p : q, &out = isIn ? q : p;
+				kept.push_back(in + (out - in) * ((sign * reach - in[axis]) / (out[axis] - in[axis])));
+			}
+			polygon = std::move(kept);
+		}
+	return polygon;
+}
+
 /// Scan-convert one face. Points on its edges belong to it; the face that came first keeps what it ties.
-/// @param[in] corner  projected corners: grid coordinates and z'
+/// @param[in] corner  projected corners, up to farthestScanned: grid coordinates and z'
 inline void ScanFace(DepthBuffer& buffer, int face, const std::array<vcg::Point3d, 3>& corner)
 {
 	constexpr std::int64_t one = 256;
-	constexpr double farthest = 1e6;  // grid steps: keeps the products below within 64 bits
 	std::array<std::int64_t, 3> x{}, y{};
 	for (size_t k = 0; k < 3; k++) {
-		if (!(std::abs(corner[k][0]) < farthest && std::abs(corner[k][1]) < farthest)) return;
 		x[k] = std::llround(corner[k][0] * one) - one / 2;  // grid points lie in the middle of their cells
 		y[k] = std::llround(corner[k][1] * one) - one / 2;
 	}
@@ -114,7 +142,7 @@ inline void ScanFace(DepthBuffer& buffer, int face, const std::array<vcg::Point3
 	}
 }
 
-/// Project all corners; faces with a corner that is not finite, or not before the camera, are left out by ScanFace.
+/// Project all corners; faces with a corner that is not finite, or not before the camera, are left out by ScanMesh.
 inline std::vector<vcg::Point3d> ProjectAll(const PictureMesh& mesh, const Camera& camera)
 {
 	std::vector<vcg::Point3d> projected;
@@ -127,8 +155,17 @@ inline DepthBuffer ScanMesh(const PictureMesh& mesh, const std::vector<vcg::Poin
 {
 	DepthBuffer buffer(width, height);
 	for (size_t f = 0; f < mesh.triangles.size(); f++) {
+		constexpr double farthest = 1e15;  // beyond it a double does not tell one grid point from the next
 		const auto& t = mesh.triangles[f];
-		ScanFace(buffer, int(f), {projected[size_t(t[0])], projected[size_t(t[1])], projected[size_t(t[2])]});
+		const std::array<vcg::Point3d, 3> corner{projected[size_t(t[0])], projected[size_t(t[1])],
+		                                         projected[size_t(t[2])]};
+		if (IsWithin(corner, farthestScanned)) {
+			ScanFace(buffer, int(f), corner);
+		} else if (IsWithin(corner, farthest)) {
+			const std::vector<vcg::Point3d> polygon = Clipped(corner, farthestScanned / 2);
+			for (size_t i = 2; i < polygon.size(); i++)
+				ScanFace(buffer, int(f), {polygon[0], polygon[i - 1], polygon[i]});
+		}
 	}
 	return buffer;
 }

@@ -365,6 +365,26 @@ TEST(Picture, WrongInputIsRefused)
 	EXPECT_THROW(RenderPicture(mesh, view, Mask(9, 1)), std::invalid_argument);
 }
 
+// A small label on a large part: the faces around it reach far out of the picture.
+TEST(Picture, FacesFarLargerThanThePictureAreSeen)
+{
+	for (const double half : {3.0, 3e3, 1e6, 1e9, 1e13})
+		for (const double shift : {0.0, 0.4}) {
+			PictureMesh mesh;
+			Append(mesh, Square(half), {shift * half, -shift * half, 0}, red);
+			Append(mesh, Square(0.5), {0, 0, 1}, blue);
+			const Picture picture = RenderPicture(mesh, ViewAlong({0.3, 0.2, 1}, {0, 1, 0}, 2), Mask(33, 1));
+			int blues = 0, others = 0;
+			for (int y = 0; y < 33; y++)
+				for (int x = 0; x < 33; x++) {
+					blues += picture.at(x, y) == blue;
+					others += picture.at(x, y) != blue && picture.at(x, y) != red;
+				}
+			EXPECT_EQ(others, 0) << half;
+			EXPECT_GT(blues, 100) << half;
+		}
+}
+
 TEST(WritePicture, PngHoldsThePixels)
 {
 	PictureMesh mesh;
