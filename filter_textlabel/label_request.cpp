@@ -224,7 +224,7 @@ std::string ParameterHelp()
 	for (const Parameter& p : ParameterTable()) {
 		const std::string value = ValueText(p, defaults);
 		help += std::string(p.name) + "  " + TakenText(p.name) + "; default " + (value.empty() ? "empty" : value) +
-		        "\n    " + p.help + "\n";
+		        "\n    " + p.label + ". " + p.help + "\n";
 	}
 	return help;
 }
@@ -233,7 +233,7 @@ std::string MoreHelp()
 {
 	std::string help = "Written as name=value; name=value, with \\; for a semicolon within a value. There are:";
 	for (const Parameter& p : ParameterTable())
-		if (p.advanced) help += std::string(" <b>") + p.name + "</b>: " + p.help;
+		if (p.advanced) help += std::string(" <b>") + p.name + "</b> (" + p.label + "): " + p.help;
 	return help;
 }
 

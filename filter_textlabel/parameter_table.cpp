@@ -172,7 +172,8 @@ const std::vector<Parameter>& ParameterTable()
 	     &R::maxStretch, Use::Value, advanced},
 		{"file_digits", "Digits of the file",
 	     "For a file format that keeps fewer digits than single precision has: the label is made so that it is right "
-	     "there, too, or refused. 6: six significant digits (DAE, X3D, VRML). -6: six decimals (3MF, and OBJ of "
+	     "there, too, or refused. 6: six significant digits (DAE, X3D, VRML), 7 (OFF of MeshLab 2020.09). -6: six "
+	     "decimals (3MF, and OBJ of "
 	     "MeshLab 2020.09). 0: the file keeps all (STL, PLY).",
 	     &R::fileDigits, Use::Value, advanced},
 		{"report", "Report file", "Write the report (JSON) to this file. Empty: it is logged only.", &R::report,

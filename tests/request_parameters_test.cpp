@@ -101,7 +101,8 @@ TEST(ParameterTable, IsListedForPeople)
 		const std::string line = "\n" + std::string(p.name) + "  " + TakenText(p.name) + "; default ";
 		const size_t at = help.find(line);
 		ASSERT_NE(at, std::string::npos) << p.name;
-		EXPECT_EQ(help.find(std::string("\n    ") + p.help + "\n", at), help.find('\n', at + 1)) << p.name;
+		EXPECT_EQ(help.find(std::string("\n    ") + p.label + ". " + p.help + "\n", at), help.find('\n', at + 1))
+			<< p.name;
 	}
 	EXPECT_NE(help.find("\nalign  one of Left, Center, Right; default Center\n"), std::string::npos);
 	EXPECT_NE(help.find("\nreport  the name of a .json file; default empty\n"), std::string::npos);

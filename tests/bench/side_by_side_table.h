@@ -161,7 +161,7 @@ inline std::string ToMarkdown(const std::vector<Row>& rows)
 		for (const PeerTimes& p : row.peers) out << "; " << p.wholeAlone.valid;
 		out << " |\n";
 	}
-	out << "\nMilliseconds, medians; of the peers from arrays to arrays, in brackets the boolean alone. ";
+	out << '\n';
 	for (const PeerTimes& p : rows[0].peers) out << p.name << ". ";
 	out << '\n';
 	return out.str();
