@@ -35,7 +35,8 @@ struct FontSource {
 constexpr std::size_t kLargestFont = std::size_t(1) << 28;
 
 /// Take apart what TextOptions::font documents. What names an existing file, or holds a slash, is a file.
-/// @throws TextError{BadAxis} for a setting that is not axis=number
+/// @throws TextError{BadAxis} for a setting that is not axis=number; TextError{BadFace} for a face that is no number; TextError{FontNotFound}
+///         when it names nothing
 FontRequest ParseFontRequest(const std::string& text);
 
 /// Settings as "wght=650,opsz=32".

@@ -232,14 +232,15 @@ FilterOutcome ApplyFilter(MeshDocument& document, const RichParameterList& list,
                           const FilterHost& host) noexcept
 {
 	FilterOutcome outcome;
-	bool isFromWindow = false;
+	bool isFromWindow = false, hasWindow = false;
 	outcome.message = Guarded([&](ErrorContext& context) {
+		hasWindow = HasWindow();
 		const LabelRequest request = ReadParameters(list);
 		isFromWindow = request.placement == PlacementKind::CurrentView;
 		Label(document, request, progress, context, outcome.report);
 	});
 	const bool isReported = !outcome.report.milliseconds.empty();
-	outcome.ok = outcome.message.empty() || (isReported && HasWindow());
+	outcome.ok = outcome.message.empty() || (isReported && hasWindow);
 	Guarded([&](ErrorContext&) {
 		if (!outcome.message.empty()) Say(outcome.message, host.log);
 		if (!outcome.ok) return;
@@ -255,7 +256,7 @@ FilterOutcome ApplyFilter(MeshDocument& document, const RichParameterList& list,
 			    "double precision; an STL file would spoil them.",
 			    host.log);
 		const LabelRequest& used = outcome.report.request;
-		if (HasWindow() && (used.style == LabelStyle::Flat || used.tint))
+		if (hasWindow && (used.style == LabelStyle::Flat || used.tint))
 			Say("the letters have their colour. To see it here, choose Color: Face in the pane beside this window.",
 			    host.log);
 		if (isFromWindow && host.noteUsedView) host.noteUsedView(outcome.report.request);

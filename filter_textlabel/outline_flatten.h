@@ -19,7 +19,7 @@ constexpr std::size_t kMostSamples = 2000000;
 /// Flatten one closed contour.
 /// @param[in] tolerance  largest distance between curve and polyline, in the units of the points; > 0
 /// @return #P points of the curve, none repeated; empty when the contour has no area
-/// @throws TextError{BadTolerance} when more than kMostSamples are needed
+/// @throws TextError{BadTolerance} when more than kMostSamples are needed, TextError{Unsound} when the contour has too many pieces
 Ring Flatten(const CurveContour& contour, double tolerance);
 
 }  // namespace textlabel

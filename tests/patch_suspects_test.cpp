@@ -165,7 +165,8 @@ TEST(Suspects, MembersThatOverlapBesideTheLayersBox)
 	std::vector<std::array<int, 2>> pairs = detail::FindNearPairs(sheet, singleUpTo(5), changed, 0, 1e-6);
 	std::sort(pairs.begin(), pairs.end());
 	EXPECT_EQ(pairs, (std::vector<std::array<int, 2>>{{0, 1}, {1, 0}}));
-	EXPECT_TRUE(detail::FindNearPairs(sheet, singleUpTo(9), changed, 0, 1e-6).empty());  // said to be single where they meet
+	EXPECT_TRUE(
+		detail::FindNearPairs(sheet, singleUpTo(9), changed, 0, 1e-6).empty());  // said to be single where they meet
 }
 
 }  // namespace

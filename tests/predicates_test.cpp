@@ -45,21 +45,8 @@ int Orient3dWhole(const std::array<std::array<Int, 3>, 4>& p)
 	return (det > 0) - (det < 0);
 }
 
-template <class Int>
-int InCircleWhole(const std::array<std::array<Int, 2>, 4>& p)
-{
-	std::array<std::array<Int, 3>, 3> rows;
-	for (size_t i = 0; i < 3; ++i) {
-		const Int x = p[i][0] - p[3][0], y = p[i][1] - p[3][1];
-		rows[i] = {x, y, x * x + y * y};
-	}
-	const Int det = Determinant3(rows);
-	return (det > 0) - (det < 0);
-}
-
 int Orient2dOf(const std::array<Point2d, 4>& p) { return Orient2d(p[0], p[1], p[2]); }
 int Orient3dOf(const std::array<Point3d, 4>& p) { return Orient3d(p[0], p[1], p[2], p[3]); }
-int InCircleOf(const std::array<Point2d, 4>& p) { return InCircle2d(p[0], p[1], p[2], p[3]); }
 
 /// One random case in whole numbers and as doubles, the doubles shifted and scaled by powers of two.
 template <size_t Dim>
@@ -133,19 +120,6 @@ TEST_P(ExactSign, Orient3dEqualsWholeNumbers)
 	EXPECT_GT(zeros, kCases / 5);
 }
 
-TEST_P(ExactSign, InCircleEqualsWholeNumbers)
-{
-	std::mt19937_64 random(3);
-	int zeros = 0;
-	for (int n = 0; n < kCases; ++n) {
-		const auto c = RandomCase<2>(random, 28, GetParam());
-		const int expected = InCircleWhole(c.whole);
-		zeros += expected == 0;
-		ASSERT_EQ(InCircleOf(c.scaled), expected) << "case " << n;
-	}
-	EXPECT_GT(zeros, kCases / 50);
-}
-
 INSTANTIATE_TEST_SUITE_P(Scales, ExactSign, ::testing::ValuesIn(kExponents));
 
 // L. Kettner et al., "Classroom examples of robustness problems in geometric computations": the plain formula gets most of
@@ -181,9 +155,6 @@ TEST(ExactSign, Conventions)
 {
 	EXPECT_EQ(Orient2d({0, 0}, {1, 0}, {0, 1}), 1);
 	EXPECT_EQ(Orient3d({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}), 1);
-	EXPECT_EQ(InCircle2d({1, 0}, {0, 1}, {-1, 0}, {0, 0}), 1);
-	EXPECT_EQ(InCircle2d({1, 0}, {0, 1}, {-1, 0}, {0, -1}), 0);
-	EXPECT_EQ(InCircle2d({1, 0}, {0, 1}, {-1, 0}, {0, -1.5}), -1);
 }
 
 #ifdef TEXTLABEL_TEST_HAS_BIG_INTEGERS
@@ -227,11 +198,10 @@ TEST(ExactSign, MixedMagnitudes)
 			}
 		ASSERT_EQ(Orient3dOf(p), Orient3dWhole(whole)) << "case " << n;
 		ASSERT_EQ(Orient2dOf(flat), Orient2dWhole<Big>({wholeFlat[0], wholeFlat[1], wholeFlat[2]})) << "case " << n;
-		ASSERT_EQ(InCircleOf(flat), InCircleWhole(wholeFlat)) << "case " << n;
 	}
 }
 
-// Points computed to lie on a plane or circle land within an ulp of it: only the exact stage knows the side.
+// Points computed to lie on a plane land within an ulp of it: only the exact stage knows the side.
 TEST(ExactSign, RoundedOntoThePlane)
 {
 	std::mt19937_64 random(5);

@@ -77,10 +77,13 @@ TEST(Layer, APartThatWindsOverItselfSomewhereIsSingleElsewhere)
 				const Point2d p(x + 0.01 * std::sin(y), y);
 				const bool isHeld = l.layer.holds(Between(p, p));
 				single += isHeld;
-				if (isHeld) { EXPECT_EQ(detail::CountCovers(l.sheet, l.layer, p), 1) << turns << ": " << p[0] << ", " << p[1]; }
+				if (isHeld) {
+					EXPECT_EQ(detail::CountCovers(l.sheet, l.layer, p), 1) << turns << ": " << p[0] << ", " << p[1];
+				}
 			}
-		if (turns < 2) { EXPECT_GT(single, 400) << turns; }
-		else EXPECT_EQ(single, 0);
+		if (turns < 2) {
+			EXPECT_GT(single, 400) << turns;
+		} else EXPECT_EQ(single, 0);
 	}
 }
 

@@ -44,6 +44,8 @@ struct LabelPatch {
 /// Raise the inside of a cut label.
 /// @param[in] height  world units; > 0 towards the viewer, < 0 away, 0 leaves all in the surface
 /// @return a patch whose border is that of the triangles it replaces
+/// @throws Error{NonManifold} where two sheets touch in a vertex that a letter moves; Error{BehindCamera} when it would rise to the centre
+///         of projection; PlacementConflict where the cut is not what a walk makes
 LabelPatch RaiseLabel(const LabelSpace& space, const Sheet& sheet, const CutLabel& cut, double height,
                       ExtrudeAlong along);
 

@@ -1,5 +1,5 @@
 #pragma once
-// Exact signs of determinants: on which side of a line, plane or circle a point lies.
+// Exact signs of determinants: on which side of a line or plane a point lies.
 //
 // Every sidedness decision of the library goes through here, so that two triangles that share an edge never disagree about a
 // point near it. A floating-point filter answers nearly always; when it cannot vouch for the sign, the determinant is computed
@@ -37,18 +37,13 @@ int Orient2d(const vcg::Point2d& a, const vcg::Point2d& b, const vcg::Point2d& c
 /// @return +1 where the normal (b-a)×(c-a) points, -1 behind, 0 exactly coplanar or abc collinear
 int Orient3d(const vcg::Point3d& a, const vcg::Point3d& b, const vcg::Point3d& c, const vcg::Point3d& d);
 
-/// Side of the circle through a, b, c on which d lies.
-/// @return for a counter-clockwise abc: +1 inside, -1 outside, 0 exactly on it; signs turn with the orientation of abc
-int InCircle2d(const vcg::Point2d& a, const vcg::Point2d& b, const vcg::Point2d& c, const vcg::Point2d& d);
-
 namespace detail {
 
 /// Half an ulp of 1: the relative error of one rounded operation.
 constexpr double kRoundoff = std::numeric_limits<double>::epsilon() / 2;
-// Errors of the filters, relative to the sum of the magnitudes of the terms: Shewchuk, figures 21, 23 (A), 25.
+// Errors of the filters, relative to the sum of the magnitudes of the terms: Shewchuk, figures 21, 23 (A).
 constexpr double kOrient2dError = (3 + 16 * kRoundoff) * kRoundoff;
 constexpr double kOrient3dError = (7 + 56 * kRoundoff) * kRoundoff;
-constexpr double kInCircleError = (10 + 96 * kRoundoff) * kRoundoff;
 
 inline int Sign(double x) { return (x > 0) - (x < 0); }
 
@@ -187,19 +182,9 @@ inline int Orient3dExact(const vcg::Point3d& a, const vcg::Point3d& b, const vcg
 	return (nx * adx + ny * ady + nz * adz).sign();
 }
 
-inline int InCircle2dExact(const vcg::Point2d& a, const vcg::Point2d& b, const vcg::Point2d& c, const vcg::Point2d& d)
-{
-	const auto adx = Difference(a[0], d[0]), ady = Difference(a[1], d[1]);
-	const auto bdx = Difference(b[0], d[0]), bdy = Difference(b[1], d[1]);
-	const auto cdx = Difference(c[0], d[0]), cdy = Difference(c[1], d[1]);
-	const auto aLift = adx * adx + ady * ady, bLift = bdx * bdx + bdy * bdy, cLift = cdx * cdx + cdy * cdy;
-	const auto bc = bdx * cdy + -(bdy * cdx), ca = cdx * ady + -(cdy * adx), ab = adx * bdy + -(ady * bdx);
-	return (bc * aLift + ca * bLift + ab * cLift).sign();
-}
-
 }  // namespace detail
 
-// In the three filters a size of zero means that every term is exactly zero, as in axis-parallel planes: nothing underflows
+// In the two filters a size of zero means that every term is exactly zero, as in axis-parallel planes: nothing underflows
 // within the domain, and a rounded difference is zero only for equal coordinates.
 
 inline int Orient2d(const vcg::Point2d& a, const vcg::Point2d& b, const vcg::Point2d& c)
@@ -224,20 +209,6 @@ inline int Orient3d(const vcg::Point3d& a, const vcg::Point3d& b, const vcg::Poi
 	const double bound = detail::kOrient3dError * size;
 	if (det > bound || -det > bound || size == 0) return detail::Sign(det);
 	return detail::Orient3dExact(a, b, c, d);
-}
-
-inline int InCircle2d(const vcg::Point2d& a, const vcg::Point2d& b, const vcg::Point2d& c, const vcg::Point2d& d)
-{
-	const double adx = a[0] - d[0], ady = a[1] - d[1], bdx = b[0] - d[0], bdy = b[1] - d[1];
-	const double cdx = c[0] - d[0], cdy = c[1] - d[1];
-	const double bc = bdx * cdy, cb = bdy * cdx, ca = cdx * ady, ac = cdy * adx, ab = adx * bdy, ba = ady * bdx;
-	const double aLift = adx * adx + ady * ady, bLift = bdx * bdx + bdy * bdy, cLift = cdx * cdx + cdy * cdy;
-	const double det = aLift * (bc - cb) + bLift * (ca - ac) + cLift * (ab - ba);
-	const double size = aLift * (std::fabs(bc) + std::fabs(cb)) + bLift * (std::fabs(ca) + std::fabs(ac)) +
-	                    cLift * (std::fabs(ab) + std::fabs(ba));
-	const double bound = detail::kInCircleError * size;
-	if (det > bound || -det > bound || size == 0) return detail::Sign(det);
-	return detail::InCircle2dExact(a, b, c, d);
 }
 
 }  // namespace vcg::textlabel

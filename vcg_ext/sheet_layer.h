@@ -24,8 +24,7 @@ struct SheetLayer {
 	/// Whether no two members overlap in a box of the label plane.
 	bool holds(const PlaneBox& box) const
 	{
-		return isSingle && cells.box().holds(box) &&
-		       cells.allOf(box, [&](size_t cell) { return single[cell] != 0; });
+		return isSingle && cells.box().holds(box) && cells.allOf(box, [&](size_t cell) { return single[cell] != 0; });
 	}
 	/// Whether none do in the whole box of the sheet.
 	bool isWhole() const { return isSingle && cells.count() == 1; }

@@ -139,7 +139,7 @@ inline std::uint64_t HashOf(const vcg::Point3d& p)
 	return hash;
 }
 
-/// Makes vertices of equal coordinates one; a table with open addressing, at most half full.
+/// Makes vertices of equal coordinates one, by a table with open addressing, at most half full; those that are not numbers equal none.
 inline void MergeEqualPoints(IndexedMesh& mesh)
 {
 	size_t tableSize = 16;
@@ -148,6 +148,11 @@ inline void MergeEqualPoints(IndexedMesh& mesh)
 	size_t kept = 0;
 	for (size_t i = 0; i < mesh.positions.size(); ++i) {
 		const vcg::Point3d p = mesh.positions[i];
+		if (p != p) {  // in the table each would look at all before it
+			merged[i] = static_cast<int>(kept);
+			mesh.positions[kept++] = p;
+			continue;
+		}
 		size_t slot = HashOf(p) & (tableSize - 1);
 		while (table[slot] >= 0 && mesh.positions[static_cast<size_t>(table[slot])] != p)
 			slot = (slot + 1) & (tableSize - 1);
