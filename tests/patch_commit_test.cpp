@@ -85,7 +85,7 @@ TEST(Commit, TextureStaysWhereShortEdgesAreCollapsed)
 		}
 }
 
-// What VCGlib does not initialise is not left to chance: the memory is full of other values before.
+// VCGlib does not initialise what it appends, and loses those of type bool.
 TEST(Commit, CustomAttributesAreThoseOfTheOldFaceAndOfAnOldVertex)
 {
 	using Allocator = vcg::tri::Allocator<RichMesh>;
@@ -95,10 +95,14 @@ TEST(Commit, CustomAttributesAreThoseOfTheOldFaceAndOfAnOldVertex)
 		Paint(m);
 		auto onFaces = Allocator::AddPerFaceAttribute<vcg::Point3f>(m, "place");
 		auto onVertices = Allocator::AddPerVertexAttribute<vcg::Point3f>(m, "place");
+		auto truths = Allocator::AddPerFaceAttribute<bool>(m, "truth");
 		auto names = Allocator::AddPerVertexAttribute<std::string>(m, "name");
 		const auto placeOf = [](size_t i) { return vcg::Point3f(float(i), 0.5f, -float(i)); };
 		const size_t oldFaces = m.face.size(), oldVertices = m.vert.size();
-		for (size_t i = 0; i < oldFaces; ++i) onFaces[i] = placeOf(i);
+		for (size_t i = 0; i < oldFaces; ++i) {
+			onFaces[i] = placeOf(i);
+			truths[i] = i % 3 == 0;
+		}
 		for (size_t i = 0; i < oldVertices; ++i) {
 			onVertices[i] = placeOf(i);
 			names[i] = std::to_string(i);
@@ -110,7 +114,9 @@ TEST(Commit, CustomAttributesAreThoseOfTheOldFaceAndOfAnOldVertex)
 		const LabelResult result = LabelMesh(m, Moved(ThreeLetters(), 1, 0.1, 0.2, 0.05), FromAbove(), options);
 		ASSERT_GT(m.face.size(), oldFaces);
 		for (size_t i = 0; i < m.face.size(); ++i)  // Paint has numbered the faces
-			EXPECT_EQ(onFaces[i], placeOf(size_t(m.face[i].cQ()))) << i;
+			EXPECT_EQ(std::make_pair(vcg::Point3f(onFaces[i]), bool(truths[i])),
+			          std::make_pair(placeOf(size_t(m.face[i].cQ())), size_t(m.face[i].cQ()) % 3 == 0))
+				<< i;
 		for (size_t i = 0; i < m.vert.size(); ++i) {
 			const size_t from = size_t(onVertices[i][0]);
 			EXPECT_EQ(onVertices[i], placeOf(from)) << i;
@@ -119,6 +125,52 @@ TEST(Commit, CustomAttributesAreThoseOfTheOldFaceAndOfAnOldVertex)
 			ASSERT_LT(from, oldVertices);
 			EXPECT_LE((PlaceOf(m.vert[i]) - before[from]).Norm(), 2.2) << "as far as a cell is wide: " << i;
 		}
+	}
+}
+
+/// An attribute whose assignment fails after so many.
+struct Failing {
+	int value = 0;
+	static int left;
+
+	Failing() = default;
+	Failing(const Failing&) = default;
+	Failing& operator=(const Failing& other)
+	{
+		if (left >= 0 && left-- == 0) throw std::bad_alloc();
+		value = other.value;
+		return *this;
+	}
+};
+int Failing::left = -1;
+
+TEST(Commit, AnAttributeThatCannotBeCopiedLeavesTheMeshAsItWas)
+{
+	using Allocator = vcg::tri::Allocator<RichMesh>;
+	for (const int copies : {0, 1, 40, 200}) {
+		RichMesh m;
+		test_mesh::Fill(m, Slanted());
+		Allocator::AddPerFaceAttribute<Failing>(m, "f");
+		Allocator::AddPerVertexAttribute<Failing>(m, "v");
+		const size_t faces = m.face.size(), vertices = m.vert.size();
+		LabelOptions options;
+		options.height = 0.5;
+		Failing::left = copies;
+		try {
+			LabelMesh(m, Moved(ThreeLetters(), 1, 0.1, 0.2, 0.05), FromAbove(), options);
+			FAIL() << copies;
+		} catch (const Error& e) {
+			EXPECT_EQ(e.code, ErrorCode::OutOfMemory);
+		}
+		Failing::left = -1;
+		EXPECT_EQ(m.face.size(), faces);
+		EXPECT_EQ(m.vert.size(), vertices);
+		EXPECT_EQ(m.fn, int(faces));
+		RichMesh untouched;
+		test_mesh::Fill(untouched, Slanted());
+		for (size_t i = 0; i < faces; ++i)
+			for (int k = 0; k < 3; ++k)
+				EXPECT_EQ(vcg::tri::Index(m, m.face[i].cV(k)), vcg::tri::Index(untouched, untouched.face[i].cV(k)));
 	}
 }
 

@@ -24,9 +24,16 @@
 namespace vcg::textlabel {
 
 /// Add vertices and faces at the end of a mesh's arrays, or leave the mesh as it was.
-/// @throws Error{OutOfMemory}
+/// @param[in] fill  called when they are there; may write to them, and may throw
+/// @throws Error{OutOfMemory}, and what fill throws
+template <class MeshType, class Fill>
+void GrowMesh(MeshType& m, size_t vertices, size_t faces, const Fill& fill);
+
 template <class MeshType>
-void GrowMesh(MeshType& m, size_t vertices, size_t faces);
+void GrowMesh(MeshType& m, size_t vertices, size_t faces)
+{
+	GrowMesh(m, vertices, faces, [] {});
+}
 
 // ---------------------------------------------------------------------------------------------------------------------------
 
@@ -178,28 +185,66 @@ void MoveArrays(MeshType& m, std::vector<typename MeshType::VertexType> vertices
 	}
 }
 
+/// The values of custom attributes of type bool: of an array of these that grows, older versions of VCGlib keep the first four.
+class KeptBools {
+public:
+	/// @param[in] attributes  of the vertices, or of the faces
+	/// @param[in] count  of these
+	template <class Attributes>
+	KeptBools(const Attributes& attributes, size_t count)
+	{
+		for (const auto& a : attributes) {
+			if (a._type != typeid(bool)) continue;
+			const bool* const first = static_cast<const bool*>(a._handle->DataBegin());
+			kept.push_back({a._handle, {first, first + count}});
+		}
+	}
+	void restore() const
+	{
+		for (const Kept& k : kept)
+			std::copy(k.value.begin(), k.value.end(), static_cast<bool*>(k.attribute->DataBegin()));
+	}
+
+private:
+	struct Kept {
+		vcg::SimpleTempDataBase* attribute;
+		std::vector<char> value;
+	};
+	std::vector<Kept> kept;
+};
+
 }  // namespace detail
 
-template <class MeshType>
-void GrowMesh(MeshType& m, size_t vertices, size_t faces)
+template <class MeshType, class Fill>
+void GrowMesh(MeshType& m, size_t vertices, size_t faces, const Fill& fill)
 {
 	using Allocator = vcg::tri::Allocator<MeshType>;
 	const size_t oldVertices = m.vert.size(), oldFaces = m.face.size();
 	const int oldVn = m.vn, oldFn = m.fn;
-	try {
-		auto moreVertices = detail::LargerArray<typename MeshType::VertexType>(m.vert, vertices);
-		auto moreFaces = detail::LargerArray<typename MeshType::FaceType>(m.face, faces);
-		detail::MoveArrays(m, std::move(moreVertices), std::move(moreFaces));
-		Allocator::AddVertices(m, vertices);
-		if (faces > 0) Allocator::AddFaces(m, faces);
-	} catch (const std::bad_alloc&) {
+	const auto shrink = [&] {
 		m.face.resize(oldFaces);
 		m.vert.resize(oldVertices);
 		vcg::tri::ResizeAttribute(m.face_attr, oldFaces, m);
 		vcg::tri::ResizeAttribute(m.vert_attr, oldVertices, m);
 		m.vn = oldVn;
 		m.fn = oldFn;
+	};
+	try {
+		auto moreVertices = detail::LargerArray<typename MeshType::VertexType>(m.vert, vertices);
+		auto moreFaces = detail::LargerArray<typename MeshType::FaceType>(m.face, faces);
+		detail::MoveArrays(m, std::move(moreVertices), std::move(moreFaces));
+		const detail::KeptBools ofVertices(m.vert_attr, oldVertices), ofFaces(m.face_attr, oldFaces);
+		Allocator::AddVertices(m, vertices);
+		ofVertices.restore();
+		if (faces > 0) Allocator::AddFaces(m, faces);
+		ofFaces.restore();
+		fill();
+	} catch (const std::bad_alloc&) {
+		shrink();
 		throw Error(ErrorCode::OutOfMemory);
+	} catch (...) {  // an attribute of a type of its own may throw what it likes
+		shrink();
+		throw;
 	}
 }
 

@@ -18,7 +18,7 @@ struct CommitResult {
 };
 
 /// Write a patch into a mesh.
-/// @throws Error{OutOfMemory}, std::bad_alloc; the mesh is as it was
+/// @throws Error{OutOfMemory}, std::bad_alloc, and what the assignment of a custom attribute throws; the mesh is as it was
 template <class MeshType>
 CommitResult CommitPatch(MeshType& m, const LabelSpace& space, const Sheet& sheet, const LabelPatch& patch);
 
@@ -32,26 +32,41 @@ auto Mix(const Value& a, const Value& b, const Value& c, const std::array<double
 	return double(a) * w[0] + double(b) * w[1] + double(c) * w[2];
 }
 
-/// Custom attributes of an element, as it is in another one. VCGlib leaves those of what it appends as they come from the memory.
+/// Custom attributes of an element, as they are in another one. VCGlib leaves those of what it appends as they come from the memory.
 /// @param[in] attributes  of the vertices, or of the faces
+/// @throws what their assignment throws
 template <class Attributes>
 void CopyCustom(const Attributes& attributes, size_t to, size_t from)
 {
 	for (const auto& a : attributes) a._handle->CopyValue(to, from, a._handle);
 }
 
-/// Attributes of a new vertex from the three it lies between; what can't be mixed is as in the one of which there is most.
-/// @param[in] index  of the new vertex
-template <class MeshType>
-void MixVertex(MeshType& m, const Sheet& sheet, const PatchVertex& from, size_t index)
+/// The same where nothing may fail: what can't be assigned stays as it is.
+template <class Attributes>
+void CopyCustomIfPossible(const Attributes& attributes, size_t to, size_t from) noexcept
 {
-	const auto parentIndex = [&](size_t i) { return size_t(sheet.vertices[size_t(from.mixture.parent[i])].index); };
-	const auto parent = [&](size_t i) -> typename MeshType::VertexType& { return m.vert[parentIndex(i)]; };
+	try {
+		CopyCustom(attributes, to, from);
+	} catch (...) {}
+}
+
+/// Index in the mesh of the corner that weighs most in a new vertex.
+inline size_t HeaviestParent(const Sheet& sheet, const Mixture& mixture)
+{
+	const auto& weight = mixture.weight;
+	const size_t heaviest = size_t(std::max_element(weight.begin(), weight.end()) - weight.begin());
+	return size_t(sheet.vertices[size_t(mixture.parent[heaviest])].index);
+}
+
+/// Attributes of a new vertex from the three it lies between; what can't be mixed is as in the one that weighs most.
+template <class MeshType>
+void MixVertex(MeshType& m, const Sheet& sheet, const PatchVertex& from, typename MeshType::VertexType& to)
+{
+	const auto parent = [&](size_t i) ->
+		typename MeshType::VertexType& { return m.vert[size_t(sheet.vertices[size_t(from.mixture.parent[i])].index)]; };
 	const auto& weight = from.mixture.weight;
-	const size_t nearest = size_t(std::max_element(weight.begin(), weight.end()) - weight.begin());
-	auto &to = m.vert[index], &a = parent(0), &b = parent(1), &c = parent(2);
-	to.ImportData(parent(nearest));
-	CopyCustom(m.vert_attr, index, parentIndex(nearest));
+	auto &a = parent(0), &b = parent(1), &c = parent(2);
+	to.ImportData(m.vert[HeaviestParent(sheet, from.mixture)]);
 	using Scalar = typename MeshType::ScalarType;
 	to.P() = {Scalar(from.mesh[0]), Scalar(from.mesh[1]), Scalar(from.mesh[2])};
 	if (vcg::tri::HasPerVertexColor(m))
@@ -143,10 +158,18 @@ CommitResult CommitPatch(MeshType& m, const LabelSpace& space, const Sheet& shee
 	for (int i = 0; guest < guests.size(); ++i) result.faces[guests[guest++]] = int(firstNewFace) + i;
 	guests.insert(guests.end(), owners.begin(), owners.end());  // owners overwrite their birth face, so they go last
 	const std::vector<FaceEdge> fauxEdges = FauxEdgesAround(m, sheet, patch);
-	GrowMesh(m, patch.vertices.size(), size_t(appended));  // nothing below can fail
+	const auto birthOf = [&](size_t i) { return size_t(sheet.triangles[size_t(patch.faces[i].parent)].birthFace()); };
+	GrowMesh(m, patch.vertices.size(), size_t(appended), [&] {
+		for (size_t i = 0; i < patch.vertices.size(); ++i)
+			detail::CopyCustom(m.vert_attr, size_t(result.firstNewVertex) + i,
+			                   detail::HeaviestParent(sheet, patch.vertices[i].mixture));
+		for (const size_t i : guests)
+			if (size_t(result.faces[i]) >= firstNewFace)
+				detail::CopyCustom(m.face_attr, size_t(result.faces[i]), birthOf(i));
+	});  // nothing below can fail
 
 	for (size_t i = 0; i < patch.vertices.size(); ++i)
-		detail::MixVertex(m, sheet, patch.vertices[i], size_t(result.firstNewVertex) + i);
+		detail::MixVertex(m, sheet, patch.vertices[i], m.vert[size_t(result.firstNewVertex) + i]);
 	for (const auto& [v, p] : patch.moved)
 		m.vert[size_t(sheet.vertices[size_t(v)].index)].P() = {Scalar(p[0]), Scalar(p[1]), Scalar(p[2])};
 
@@ -155,13 +178,12 @@ CommitResult CommitPatch(MeshType& m, const LabelSpace& space, const Sheet& shee
 	const bool wedges = vcg::tri::HasPerWedgeTexCoord(m);
 	for (const size_t i : guests) {
 		const PatchFace& f = patch.faces[i];
-		const size_t birthIndex = size_t(sheet.triangles[size_t(f.parent)].birthFace()),
-					 toIndex = size_t(result.faces[i]);
-		const FaceType& birth = m.face[birthIndex];
-		FaceType& to = m.face[toIndex];
-		if (toIndex != birthIndex) {
+		const FaceType& birth = m.face[birthOf(i)];
+		FaceType& to = m.face[size_t(result.faces[i])];
+		if (&to != &birth) {
 			to.ImportData(birth);
-			detail::CopyCustom(m.face_attr, toIndex, birthIndex);
+			if (size_t(result.faces[i]) < firstNewFace)
+				detail::CopyCustomIfPossible(m.face_attr, size_t(result.faces[i]), birthOf(i));
 		}
 		to.ClearAllF();
 		const auto wedge = wedges ? detail::WedgesOf(birth) : decltype(detail::WedgesOf(birth)){};

@@ -60,7 +60,7 @@ inline void RequireCountable(size_t vertices, size_t faces)
 ///        merging equal points, unless survivesFloat32 says otherwise
 /// @note  for the caller to bring up to date, as after any of VCGlib's algorithms that add faces: normals, the bounding box, FF and VF
 ///        adjacency and border flags of what is new (LabelResult lists it). Flags, colours and the like of a new face are those of
-///        the one that it is a piece of, or stands on; so are its custom attributes, and those of a new vertex of the nearest old one
+///        the one that it is a piece of, or stands on; so are its custom attributes. A new vertex has those of the corner that weighs most in it
 /// @throws Error
 template <class MeshType>
 LabelResult LabelMesh(MeshType& m, const Outline& outline, const LabelFrame& frame, const LabelOptions& options = {});
