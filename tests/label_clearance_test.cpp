@@ -4,7 +4,12 @@
 
 #include <gtest/gtest.h>
 
+#include <random>
+#include <set>
+
 #include "label_check.h"
+#include "vcg_ext/label_seed.h"
+#include "vcg_ext/patch_suspects.h"
 
 namespace {
 
@@ -101,6 +106,56 @@ TEST(Clearance, TellsSurfacesApartByTheResolution)
 		}
 	}
 	EXPECT_NEAR(behind(2e-6).behind, 2e-6, 1e-12);
+}
+
+// On spirals that wind over themselves in a part of the label's box: what the layer says need not be compared has nothing to find.
+TEST(Clearance, ALayerChangesNothing)
+{
+	std::mt19937 random(9);
+	const auto pick = [&](double low, double high) {
+		return std::uniform_real_distribution<double>(low, high)(random);
+	};
+	int partial = 0, hidden = 0;
+	for (int round = 0; round < 200; ++round) {
+		const double turns = pick(0.9, 1.9), angle = pick(0, 6.28), r = pick(6, 18), wide = pick(8, 25),
+					 high = pick(6, 25);
+		const Shape screw = test_mesh::Helicoid(pick(1, 4), pick(20, 45), pick(2, 9), turns, 30 + int(pick(0, 150)),
+		                                        1 + int(pick(0, 4)));
+		const LabelSpace space(FrameFromDirection({r * std::cos(angle), r * std::sin(angle), 20},
+		                                          {pick(-0.2, 0.2), pick(-0.2, 0.2), 1}, {0, 1, 0}));
+		const Sheet sheet = CandidatesOf(screw, space, wide, high);
+		const Outline outline = Moved(ThreeLetters(), pick(0.1, 0.5), pick(0, 6), 0.1, 0.05);
+		try {
+			const std::vector<int> seeds = FindSeeds(space, sheet, outline, 1e-6);
+			const CutLabel cut = LabelCutter(space, sheet, 1e-6).cut(outline, seeds);
+			const SheetLayer layer = FindLayer(sheet, outline, seeds);
+			partial += layer.isSingle && !layer.isWhole();
+			const auto room = [&](const SheetLayer& known) {
+				try {
+					return MeasureClearance(space, sheet, cut, 1e-6, known).behind;
+				} catch (const Error& e) {
+					EXPECT_EQ(e.code, ErrorCode::Occluded);
+					return -1.0;
+				}
+			};
+			const double without = room({});
+			hidden += without < 0;
+			EXPECT_EQ(room(layer), without) << round;
+			std::vector<int> changed = cut.touched;
+			changed.insert(changed.end(), cut.within.begin(), cut.within.end());
+			std::set<std::array<int, 2>> found;
+			for (const auto& pair : detail::FindNearPairs(sheet, layer, changed, 5, 1e-6)) found.insert(pair);
+			for (const auto& pair : detail::FindNearPairs(sheet, {}, changed, 5, 1e-6)) {
+				const PlaneTriangle a = detail::CornersInPlane(sheet, pair[0]),
+									b = detail::CornersInPlane(sheet, pair[1]);
+				const bool overlap = !detail::AreApart(a, b, 1e-7) && !detail::AreApart(b, a, 1e-7);
+				EXPECT_TRUE(!overlap || found.count(pair)) << round << ": " << pair[0] << ", " << pair[1];
+			}
+		} catch (const Error&) {  // beside the screw
+		} catch (const PlacementConflict&) {}
+	}
+	EXPECT_GT(partial, 30);
+	EXPECT_GT(hidden, 3);
 }
 
 }  // namespace

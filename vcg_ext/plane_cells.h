@@ -29,9 +29,7 @@ public:
 	/// @param[in] side  > 0, of cells in a row and in a column
 	PlaneCells(const PlaneBox& all, int side) : all_(all), side_(side)
 	{
-		constexpr double roundings = 64 * std::numeric_limits<double>::epsilon();
-		for (const vcg::Point2d& p : {all.low, all.high})
-			margin_ = std::max({margin_, roundings * std::abs(p[0]), roundings * std::abs(p[1])});
+		for (const vcg::Point2d& p : {all.low, all.high}) margin_ = std::max(margin_, rounding(p));
 	}
 
 	const PlaneBox& box() const { return all_; }
@@ -51,7 +49,7 @@ public:
 		return box;
 	}
 
-	/// Call use(x, y) for each cell that points within `reach` of a triangle lie in, along either axis; perhaps for a few more.
+	/// Call use(x, y) for each cell that holds points of the box within `reach` of a triangle, along either axis; perhaps for a few more.
 	template <class Use>
 	void visit(const PlaneTriangle& t, double reach, Use&& use) const;
 
@@ -67,6 +65,11 @@ public:
 	}
 
 private:
+	/// More than what computing with a point loses.
+	static double rounding(const vcg::Point2d& p)
+	{
+		return 64 * std::numeric_limits<double>::epsilon() * std::max(std::abs(p[0]), std::abs(p[1]));
+	}
 	int cellOf(double x, int axis) const
 	{
 		const double size = axis == 0 ? all_.width() : all_.height();
@@ -120,7 +123,7 @@ void PlaneCells::visit(const PlaneTriangle& t, double reach, Use&& use) const
 	const int left = cellOf(box.low[0], 0), right = cellOf(box.high[0], 0);
 	const int bottom = cellOf(box.low[1], 1), top = cellOf(box.high[1], 1);
 	const bool isNarrow = right - left < 2 || top - bottom < 2;  // all cells of its box, then
-	const double around = reach + margin_;
+	const double around = reach + margin_ + std::max({rounding(t[0]), rounding(t[1]), rounding(t[2])});
 	for (int y = bottom; y <= top; ++y) {
 		int first = left, last = right;
 		if (!isNarrow) {
