@@ -49,6 +49,7 @@ private:
 	void labelAtDepth(const LabelRequest& request, const TextOutline& outline, double depth);
 	void finish(const LabelRequest& request, bool anySelected);
 	void updateBox();
+	bool markForNormals();
 	void updateNormals();
 	void countAgain(MeshNumbers& before, MeshNumbers& after) const;
 	LabelReport report(const LabelRequest& request) const;
@@ -104,7 +105,7 @@ LabelReport LabelJob<MeshType>::run(const LabelRequest& asked)
 	StageClock clock;
 	boxes_ = BoxesOf(m_, toWorld_);
 	vcg::textlabel::RequireCountable(m_.vert.size(), m_.face.size());
-	vcg::textlabel::detail::LayerMatrix{toWorld_};  // a bad one makes the part look empty
+	const vcg::textlabel::LayerMatrix layer(toWorld_);  // refuses a bad one, which makes the part look empty
 	if (m_.FN() == 0 || boxes_.world.IsNull()) throw RequestError(RequestProblem::EmptyPart);
 	CheckRequest(request, boxes_.world);
 	constexpr int countedUpTo =
@@ -114,7 +115,7 @@ LabelReport LabelJob<MeshType>::run(const LabelRequest& asked)
 	MeshNumbers before;
 	before.vertices = m_.VN();
 	before.triangles = m_.FN();
-	const double worldVolume = std::abs(toWorld_.Determinant());
+	const double worldVolume = std::abs(layer.determinant);
 	before.volume = faces.volume * worldVolume;
 	if (counts) CountTopology(m_, before);
 	clock.end("measure");
@@ -289,6 +290,32 @@ void LabelJob<MeshType>::updateBox()
 	m_.bbox.Import(box);
 }
 
+/// Mark the vertices that need a normal as visited, and of the others all that a pass over the mesh's faces could take for these.
+/// @return whether some are old ones on which walls stand
+template <class MeshType>
+bool LabelJob<MeshType>::markForNormals()
+{
+	const auto* const firstNew = m_.vert.data() + result_.firstNewVertex;
+	const auto eachVertex = [&](const auto& faces, const auto& use) {
+		for (const int f : faces)
+			for (int k = 0; k < 3; ++k) use(*m_.face[size_t(f)].V(k));
+	};
+	const auto mark = [&] {
+		for (const auto* faces : {&result_.topFaces, &result_.wallFaces, &result_.outsideFaces})
+			eachVertex(*faces, [&](auto& v) { &v >= firstNew ? v.SetV() : v.ClearV(); });
+		if (height_ != 0)  // the old corners of a letter's top have moved with it
+			eachVertex(result_.topFaces, [](auto& v) { v.SetV(); });
+	};
+	mark();
+	bool isOnOld = false;
+	eachVertex(result_.wallFaces, [&](const auto& v) { isOnOld = isOnOld || !v.IsV(); });
+	if (!isOnOld) return false;
+	for (auto& v : m_.vert) v.ClearV();  // a mark may be left from what others did
+	mark();
+	eachVertex(result_.wallFaces, [](auto& v) { v.SetV(); });
+	return true;
+}
+
 /// New faces get their normals; so do the vertices that are new, have moved, or have walls standing on them. All faces around the
 /// first two are new; those around an old vertex that a contour runs through are found by looking at all.
 /// Needs no memory: these are marked as visited.
@@ -296,29 +323,12 @@ template <class MeshType>
 void LabelJob<MeshType>::updateNormals()
 {
 	const bool perVertex = vcg::tri::HasPerVertexNormal(m_), perFace = vcg::tri::HasPerFaceNormal(m_);
-	const auto* const firstNew = m_.vert.data() + result_.firstNewVertex;
 	const auto eachCorner = [&](const auto& use) {
 		for (const auto* faces : {&result_.topFaces, &result_.wallFaces, &result_.outsideFaces})
 			for (const int f : *faces)
 				for (int k = 0; k < 3; ++k) use(m_.face[size_t(f)], k);
 	};
-	const auto mark = [&] {
-		eachCorner([&](auto& f, int k) { f.V(k) >= firstNew ? f.V(k)->SetV() : f.V(k)->ClearV(); });
-		if (height_ == 0) return;
-		for (const int f : result_.topFaces)  // the old corners of a letter's top have moved with it
-			for (int k = 0; k < 3; ++k) m_.face[size_t(f)].V(k)->SetV();
-	};
-	mark();
-	bool isOnOld = false;
-	for (const int f : result_.wallFaces)
-		for (int k = 0; k < 3; ++k) isOnOld = isOnOld || !m_.face[size_t(f)].V(k)->IsV();
-	isOnOld = isOnOld && perVertex;
-	if (isOnOld) {
-		for (auto& v : m_.vert) v.ClearV();  // a mark may be left from what others did
-		mark();
-		for (const int f : result_.wallFaces)
-			for (int k = 0; k < 3; ++k) m_.face[size_t(f)].V(k)->SetV();
-	}
+	const bool isOnOld = markForNormals() && perVertex;
 	eachCorner([&](auto& f, int k) {
 		if (perVertex && f.V(k)->IsV()) f.V(k)->N().SetZero();
 		if (perFace && k == 0) f.N() = vcg::TriangleNormal(f).Normalize();

@@ -76,7 +76,7 @@ inline void NarrowSpan(std::int64_t a, std::int64_t c, std::int64_t& first, std:
 }
 
 /// Grid steps: keeps the products of ScanFace within 64 bits.
-constexpr double farthestScanned = 1e6;
+constexpr double kFarthestScanned = 1e6;
 
 inline bool IsWithin(const std::array<vcg::Point3d, 3>& corner, double reach)
 {
@@ -106,7 +106,7 @@ inline std::vector<vcg::Point3d> Clipped(const std::array<vcg::Point3d, 3>& corn
 }
 
 /// Scan-convert one face. Points on its edges belong to it; the face that came first keeps what it ties.
-/// @param[in] corner  projected corners, up to farthestScanned: grid coordinates and z'
+/// @param[in] corner  projected corners, up to kFarthestScanned: grid coordinates and z'
 inline void ScanFace(DepthBuffer& buffer, int face, const std::array<vcg::Point3d, 3>& corner)
 {
 	constexpr std::int64_t one = 256;
@@ -159,10 +159,10 @@ inline DepthBuffer ScanMesh(const PictureMesh& mesh, const std::vector<vcg::Poin
 		const auto& t = mesh.triangles[f];
 		const std::array<vcg::Point3d, 3> corner{projected[size_t(t[0])], projected[size_t(t[1])],
 		                                         projected[size_t(t[2])]};
-		if (IsWithin(corner, farthestScanned)) {
+		if (IsWithin(corner, kFarthestScanned)) {
 			ScanFace(buffer, int(f), corner);
 		} else if (IsWithin(corner, farthest)) {
-			const std::vector<vcg::Point3d> polygon = Clipped(corner, farthestScanned / 2);
+			const std::vector<vcg::Point3d> polygon = Clipped(corner, kFarthestScanned / 2);
 			for (size_t i = 2; i < polygon.size(); i++)
 				ScanFace(buffer, int(f), {polygon[0], polygon[i - 1], polygon[i]});
 		}

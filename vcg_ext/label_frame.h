@@ -220,8 +220,6 @@ inline PlaneBox LabelSpace::unrolledBox(const PlaneBox& box) const
 	return out;
 }
 
-namespace detail {
-
 /// A layer's matrix as three directions and a shift.
 struct LayerMatrix {
 	vcg::Point3d column[3], shift;
@@ -246,8 +244,6 @@ struct LayerMatrix {
 	}
 };
 
-}  // namespace detail
-
 inline LabelSpace::LabelSpace(const LabelFrame& f, const vcg::Point2d& middle) : perspective_(f.perspective)
 {
 	constexpr double orthonormality = 1e-9;  // what a caller's rounding may leave
@@ -257,7 +253,7 @@ inline LabelSpace::LabelSpace(const LabelFrame& f, const vcg::Point2d& middle) :
 	for (const double d :
 	     {f.u * f.u - 1, f.v * f.v - 1, f.w * f.w - 1, f.u * f.v, f.v * f.w, f.w * f.u, (f.u ^ f.v) * f.w - 1})
 		if (!(std::abs(d) < orthonormality)) bad("the frame is not orthonormal and right-handed");
-	const detail::LayerMatrix layer(f.toWorld);
+	const LayerMatrix layer(f.toWorld);
 	const vcg::Point3d* const column = layer.column;
 	const double det = layer.determinant;
 	scale_ = layer.norm;
