@@ -201,10 +201,16 @@ class Saves(InFolder):
         ):
             with self.subTest(output), self.assertRaisesRegex(textlabel.LabelError, "UTF-8.* Rename it"):
                 textlabel.label(part, "A4", output)
-        done = run_module("serial", self.folder / latin / "part.stl", "--count", "2", "--output", self.folder / "serials")
+        shutil.copy(MESHES / "bracket.stl", self.folder)
+        parts = (self.folder / latin / "part.stl", self.folder / "bracket.stl")
+        done = run_module("serial", *parts, "--count", "1", "--output", self.folder / "serials")
         self.assertEqual(done.returncode, 1)
         self.assertRegex(done.stderr, "UTF-8.* Rename it")
-        self.assertFalse((self.folder / "serials").exists())
+        self.assertEqual(sorted(os.listdir(self.folder / "serials")), ["bracket-0001.stl", "failed.csv", "manifest.jsonl"])
+        done = run_module("serial", parts[1], "--count", "1", "--output", self.folder / latin / "serials")
+        self.assertEqual(done.returncode, 2)
+        self.assertRegex(done.stderr, "UTF-8.* Rename it")
+        self.assertEqual(os.listdir(self.folder / latin), ["part.stl"])
 
     def test_formats_that_hold_less(self):
         meshes = pymeshlab.MeshSet()

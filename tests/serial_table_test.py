@@ -207,7 +207,8 @@ class CommandLine(InFolder):
     def test_without_stderr(self):
         command = [sys.executable, "-m", "textlabel", "serial", str(BRACKET), "--count", "2", "--output", str(self.folder / "out")]
         closed = ["sh", "-c", 'exec "$@" 2>&-', "sh"]
-        self.assertEqual(subprocess.run([*closed, *command], env=environment(), check=False).returncode, 0)
+        done = subprocess.run([*closed, *command], env=environment(), stdout=subprocess.PIPE, check=False)
+        self.assertEqual((done.returncode, done.stdout), (0, b""))
         self.assertEqual(self.made(), ["bracket-0001.stl", "bracket-0002.stl", "manifest.jsonl"])
 
     def test_lines_that_are_none_of_a_manifest(self):

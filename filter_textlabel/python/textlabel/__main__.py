@@ -283,6 +283,8 @@ def _join_negative(arguments):
 
 def main(arguments=None):
     """Run the command line; returns the exit status."""
+    if sys.stderr is None:  # of a service; the next file that is opened would be taken for it
+        sys.stderr = open(os.devnull, "w", encoding="utf-8")
     try:
         parsed = _parse(sys.argv[1:] if arguments is None else arguments)
         return _label(parsed) if parsed.command == "label" else _serial(parsed)

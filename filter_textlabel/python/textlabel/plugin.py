@@ -129,7 +129,7 @@ def check_path(path):
     except UnicodeEncodeError:
         is_good = False
     if not is_good:
-        raise LabelError(f"The name {name!r} cannot be used: MeshLab takes names in UTF-8 only. Rename it.")
+        raise LabelError(f"The name {name!r} cannot be used: MeshLab takes names in UTF-8, without NUL. Rename it.")
 
 
 def check_name(name):

@@ -12,8 +12,8 @@ class Progress:
 
     def __init__(self, total, already=0, quiet=False, stream=None):
         self._stream = stream or sys.stderr
-        self._quiet = quiet or self._stream is None  # a service may have no stderr
-        self._moves = not self._quiet and self._stream.isatty()
+        self._moves = self._stream.isatty()
+        self._quiet = quiet
         self._total, self._already = total, already
         self.done = self.failed = 0
         self._start = time.monotonic()

@@ -9,7 +9,7 @@ import sys
 from .crew import Crew
 from .files import Clash, font_file, sha256
 from .manifest import Manifest
-from .plugin import check_path
+from .plugin import LabelError, check_path
 from .progress import Progress
 from .tasks import Problem, UsageError, serial_of
 
@@ -32,11 +32,12 @@ def run(tasks, problems, folder, jobs, overwrite=False, quiet=False):
 
     tasks, problems: of make_tasks(). folder: for the files, manifest.jsonl and, when rows failed, failed.csv.
     overwrite: replace files that were made otherwise or by others, instead of refusing to start.
-    Returns an Outcome. Raises UsageError before anything is written when the folder's state forbids the run, LabelError for a part or
-    folder whose name MeshLab cannot take.
+    Returns an Outcome. Raises UsageError before anything is written when the folder's name or state forbids the run.
     """
-    for path in {folder, *(task.part for task in tasks)}:
-        check_path(os.path.abspath(path))
+    try:
+        check_path(os.path.abspath(folder))
+    except LabelError as error:
+        raise UsageError(str(error)) from error
     manifest = _open_manifest(folder)
     outcome = Outcome(problems=list(problems))
     try:

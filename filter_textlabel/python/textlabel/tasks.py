@@ -179,6 +179,7 @@ def _task(row, part, values, plan):
         raise plugin.LabelError(values[None])
     if not part.is_file():
         raise plugin.LabelError(f"There is no mesh '{part}'. Check its name.")
+    plugin.check_path(os.path.abspath(part))
     fields = {**values, "part": part.stem}
     fields["text"] = plan.labels[0].text.fill(fields)
     labels = []
