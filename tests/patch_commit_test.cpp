@@ -125,6 +125,9 @@ TEST(Commit, CustomAttributesAreThoseOfTheOldFaceAndOfAnOldVertex)
 			ASSERT_LT(from, oldVertices);
 			EXPECT_LE((PlaceOf(m.vert[i]) - before[from]).Norm(), 2.2) << "as far as a cell is wide: " << i;
 		}
+		for (const char* name : {"place", "truth"})
+			Allocator::DeletePerFaceAttribute(m, name);  // a mesh leaves them behind
+		for (const char* name : {"place", "name"}) Allocator::DeletePerVertexAttribute(m, name);
 	}
 }
 
@@ -171,6 +174,8 @@ TEST(Commit, AnAttributeThatCannotBeCopiedLeavesTheMeshAsItWas)
 		for (size_t i = 0; i < faces; ++i)
 			for (int k = 0; k < 3; ++k)
 				EXPECT_EQ(vcg::tri::Index(m, m.face[i].cV(k)), vcg::tri::Index(untouched, untouched.face[i].cV(k)));
+		Allocator::DeletePerFaceAttribute(m, "f");
+		Allocator::DeletePerVertexAttribute(m, "v");
 	}
 }
 
