@@ -129,7 +129,7 @@ TEST(Clearance, ALayerChangesNothing)
 			const std::vector<int> seeds = FindSeeds(space, sheet, outline, 1e-6);
 			const CutLabel cut = LabelCutter(space, sheet, 1e-6).cut(outline, seeds);
 			const SheetLayer layer = FindLayer(sheet, outline, seeds);
-			partial += layer.isSingle && !layer.isWhole();
+			partial += layer.isSingle() && !layer.isWhole();
 			const auto room = [&](const SheetLayer& known) {
 				try {
 					return MeasureClearance(space, sheet, cut, 1e-6, known).behind;

@@ -154,7 +154,6 @@ TEST(Suspects, MembersThatOverlapBesideTheLayersBox)
 		PlaneBox box;
 		box.add({-10, -10});
 		box.add({x, 10});
-		layer.isSingle = true;
 		layer.cells = PlaneCells(box, 1);
 		layer.single.assign(1, 1);
 		layer.member.assign(sheet.triangles.size(), 1);

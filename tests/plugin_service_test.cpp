@@ -19,6 +19,14 @@ namespace {
 /// Several chunks on small meshes, where there are cores.
 [[maybe_unused]] const size_t chunk = vcg::textlabel::leastChunk = 5;
 
+/// As MeshLab computes them for a mesh that it has read.
+void UpdateNormals(Mesh& m)
+{
+	vcg::tri::UpdateNormal<Mesh>::PerFaceNormalized(m);
+	vcg::tri::UpdateNormal<Mesh>::PerVertexAngleWeighted(m);
+	vcg::tri::UpdateNormal<Mesh>::NormalizePerVertex(m);
+}
+
 /// A plate of 60 x 40 whose thickness is given, its faces finely cut along x.
 void MakePlate(Mesh& m, float thickness, int columns = 12)
 {
@@ -41,9 +49,7 @@ void MakePlate(Mesh& m, float thickness, int columns = 12)
 	const int last = 4 * columns;
 	quad(0, 1, 3, 2);
 	quad(last, last + 2, last + 3, last + 1);
-	vcg::tri::UpdateNormal<Mesh>::PerFaceNormalized(m);
-	vcg::tri::UpdateNormal<Mesh>::PerVertexAngleWeighted(m);
-	vcg::tri::UpdateNormal<Mesh>::NormalizePerVertex(m);
+	UpdateNormals(m);
 	vcg::tri::UpdateBounding<Mesh>::Box(m);
 	m.face[1].SetS();
 }
@@ -111,9 +117,7 @@ TEST(Service, LeavesSelectionNormalsAndBoxAsTheyShouldBe)
 		vcg::tri::UpdateBounding<Mesh>::Box(fresh);
 		EXPECT_EQ(m.bbox.min, fresh.bbox.min);
 		EXPECT_EQ(m.bbox.max, fresh.bbox.max);
-		vcg::tri::UpdateNormal<Mesh>::PerFaceNormalized(fresh);
-		vcg::tri::UpdateNormal<Mesh>::PerVertexAngleWeighted(fresh);
-		vcg::tri::UpdateNormal<Mesh>::NormalizePerVertex(fresh);
+		UpdateNormals(fresh);
 		for (size_t f = 0; f < m.face.size(); ++f) EXPECT_LE((m.face[f].N() - fresh.face[f].N()).Norm(), 1e-5);
 		for (size_t v = 0; v < m.vert.size(); ++v) EXPECT_LE((m.vert[v].N() - fresh.vert[v].N()).Norm(), 1e-4) << v;
 	}
@@ -127,12 +131,7 @@ TEST(Service, VerticesUnderAContourHaveTheNormalsOfAllFacesAround)
 		test_mesh::Fill(m, test_mesh::Slab(60, 40, 5, 60, 40));
 		const size_t before = m.vert.size();
 		vcg::tri::UpdateBounding<Mesh>::Box(m);
-		const auto updateNormals = [](Mesh& mesh) {
-			vcg::tri::UpdateNormal<Mesh>::PerFaceNormalized(mesh);
-			vcg::tri::UpdateNormal<Mesh>::PerVertexAngleWeighted(mesh);
-			vcg::tri::UpdateNormal<Mesh>::NormalizePerVertex(mesh);
-		};
-		updateNormals(m);
+		UpdateNormals(m);
 		for (auto& v : m.vert) v.SetV();  // as a filter before may have left them
 		LabelRequest request = OnTop(16, 1);
 		request.position = {0, 0, 30};
@@ -146,7 +145,7 @@ TEST(Service, VerticesUnderAContourHaveTheNormalsOfAllFacesAround)
 		EXPECT_EQ(!onWalls.empty() && *onWalls.begin() < before, isRaised) << "walls on vertices of the part";
 		Mesh fresh;
 		vcg::tri::Append<Mesh, Mesh>::MeshCopy(fresh, m);
-		updateNormals(fresh);
+		UpdateNormals(fresh);
 		for (size_t f = 0; f < m.face.size(); ++f) EXPECT_LE((m.face[f].N() - fresh.face[f].N()).Norm(), 1e-5);
 		for (size_t v = 0; v < m.vert.size(); ++v) EXPECT_LE((m.vert[v].N() - fresh.vert[v].N()).Norm(), 1e-4) << v;
 	}

@@ -72,7 +72,7 @@ class Also(InFolder):
                 self.assertEqual(list(self.folder.iterdir()), [])
         self.refused("Label 1 ('A43'): ", "Move the position", also=[{"text": "7", **BELOW}], position=(500, 0, 0), **first)
         self.refused("would be written over", also=[], report=BRACKET)
-        self.refused("moves vertices", also=[{"text": "7", **BELOW}], output="x.ctm", **first)
+        self.refused("compresses or simplifies", also=[{"text": "7", **BELOW}], output="x.ctm", **first)
         self.label({"text": "7", **BELOW, "outline": self.folder / "outline.svg"}, **first)
         self.assertEqual(len(list(self.folder.iterdir())), 4)
         self.assertEqual(json.loads((self.folder / "report.json").read_text())["text"], "A43")

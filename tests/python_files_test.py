@@ -219,8 +219,8 @@ class Saves(InFolder):
         meshes.save_current_mesh(str(tiny))
         for name in ("tiny.3mf", "tiny.dxf"):  # six decimals
             self.refused(tiny, name, "finer than the coordinates", "more digits", ".stl")
-        for name in ("bracket.ctm", "bracket.u3d"):
-            self.refused(MESHES / "bracket.stl", name, "moves vertices", ".stl")
+        for name in ("bracket.ctm", "bracket.u3d", "bracket.nxs"):
+            self.refused(MESHES / "bracket.stl", name, "compresses or simplifies", ".stl")
         self.refused(MESHES / "bracket.stl", "bracket.xyz", "points only", ".stl")
         textlabel.label(tiny, "A4", self.folder / "tiny.stl")
         textlabel.label(MESHES / "bracket.stl", "A4", self.folder / "bracket.3mf")

@@ -48,7 +48,7 @@ TEST(Layer, IsNotSingleAtAnEdgeOfThePart)
 {
 	EXPECT_TRUE(Layered(test_mesh::Slab(30, 20, 4, 15, 10), 14.9, 9.9).layer.isWhole());
 	const SheetLayer over = Layered(test_mesh::Slab(30, 20, 4, 15, 10), 16, 6).layer;
-	EXPECT_TRUE(over.isSingle);
+	EXPECT_TRUE(over.isSingle());
 	EXPECT_FALSE(over.isWhole());
 	EXPECT_TRUE(over.holds(Between({-11, -5}, {11, 5})));
 	EXPECT_FALSE(over.holds(Between({0, 0}, {15.5, 1})));  // over the edge
@@ -92,7 +92,7 @@ TEST(Layer, AWindingSurfaceIsNot)
 {
 	const Shape screw = test_mesh::Helicoid(3, 40, 5, 3, 200, 4);
 	const LabelFrame frame = FrameFromDirection({20, 0, 50}, {0, 0, 1}, {0, 1, 0});
-	EXPECT_FALSE(Layered(screw, 30, 30, frame).layer.isSingle);
+	EXPECT_FALSE(Layered(screw, 30, 30, frame).layer.isSingle());
 }
 
 TEST(Layer, AnotherShellBelowIsNoMember)
@@ -109,7 +109,7 @@ TEST(Layer, HasNoMembersUnlessItIsSingle)
 {
 	const Shape screw = test_mesh::Helicoid(3, 40, 5, 3, 200, 4);
 	const Layered l(screw, 30, 30, FrameFromDirection({20, 0, 50}, {0, 0, 1}, {0, 1, 0}));
-	ASSERT_FALSE(l.layer.isSingle);
+	ASSERT_FALSE(l.layer.isSingle());
 	EXPECT_GT(l.members(), 0);
 	for (int t = 0; t < int(l.sheet.triangles.size()); ++t) EXPECT_FALSE(l.layer.has(t));
 }

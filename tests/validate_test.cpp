@@ -238,6 +238,21 @@ TEST(Report, FacesWithoutArea)
 	EXPECT_TRUE(HasDegenerateFaces(MakeReport(mesh)));
 }
 
+// They equal no other vertex, nor themselves.
+TEST(Report, VerticesThatAreNoNumbersAreNotMerged)
+{
+	constexpr int count = 60000;
+	IndexedMesh mesh = Box();
+	const int first = int(mesh.positions.size());
+	mesh.positions.resize(size_t(first + count), Point3d(0, std::nan(""), 1));
+	for (int v = first; v < first + count; v += 3) mesh.faces.push_back({v, v + 1, v + 2});
+	mesh.positions.push_back(mesh.positions[0]);
+	mesh.faces.push_back({first + count, 1, 2});
+	const MeshReport r = MakeReport(PrepareForReport(mesh, {false, true}));
+	EXPECT_EQ(r.vertices, first + count);
+	EXPECT_EQ(r.notFinite, count);
+}
+
 TEST(Report, NotFinite)
 {
 	IndexedMesh mesh = Box();

@@ -26,7 +26,7 @@ public:
 	/// One cell over nothing.
 	PlaneCells() = default;
 	/// @param[in] all  what lies beyond belongs to the cells of its border
-	/// @param[in] side  > 0, of cells in a row and in a column
+	/// @param[in] side  > 0, of cells in a row and in a column; the last of several holds the far border of the box alone
 	PlaneCells(const PlaneBox& all, int side) : all_(all), side_(side)
 	{
 		for (const vcg::Point2d& p : {all.low, all.high}) margin_ = std::max(margin_, rounding(p));

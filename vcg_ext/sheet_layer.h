@@ -14,20 +14,20 @@
 namespace vcg::textlabel {
 
 struct SheetLayer {
-	/// Over some cells the members cover the label plane exactly once; false claims nothing.
-	bool isSingle = false;
 	PlaneCells cells;          ///< over the sheet's box
-	std::vector<char> single;  ///< #cells: 1 where they do
-	std::vector<char> member;  ///< #T; of no account unless isSingle
+	std::vector<char> single;  ///< #cells: 1 where the members cover the label plane exactly once; empty: nowhere
+	std::vector<char> member;  ///< #T; of no account unless isSingle()
 
-	bool has(int triangle) const { return isSingle && member[size_t(triangle)] != 0; }
+	/// Whether anything is claimed.
+	bool isSingle() const { return !single.empty(); }
+	bool has(int triangle) const { return isSingle() && member[size_t(triangle)] != 0; }
 	/// Whether no two members overlap in a box of the label plane.
 	bool holds(const PlaneBox& box) const
 	{
-		return isSingle && cells.box().holds(box) && cells.allOf(box, [&](size_t cell) { return single[cell] != 0; });
+		return isSingle() && cells.box().holds(box) && cells.allOf(box, [&](size_t cell) { return single[cell] != 0; });
 	}
 	/// Whether none do in the whole box of the sheet.
-	bool isWhole() const { return isSingle && cells.count() == 1; }
+	bool isWhole() const { return isSingle() && cells.count() == 1; }
 };
 
 /// Find the layer of a label.
@@ -144,9 +144,9 @@ inline SheetLayer FindLayer(const Sheet& sheet, const Outline& outline, const st
 			if (covers < 0) continue;  // on an edge there is no count
 			for (const size_t cell : detail::TakeConnected(layer.cells, layer.cells.numberAt(p), isFree))
 				layer.single[cell] = covers == 1;
-			layer.isSingle = layer.isSingle || covers == 1;
 		}
 	}
+	if (std::find(layer.single.begin(), layer.single.end(), 1) == layer.single.end()) layer.single.clear();
 	return layer;
 }
 

@@ -34,12 +34,12 @@ def file_digits(output):
 
 
 def refuse_lossy(output):
-    """Raise LabelError for a format that moves vertices, or has no faces."""
+    """Raise LabelError for a format that compresses or simplifies meshes, or has no faces."""
     if _ending(output) in WITHOUT_FACES:
         raise LabelError(f"'{output}' cannot be written: its format holds points only. Write a .ply, .obj, .off or .stl file.")
     if _ending(output) in LOSSY:
         raise LabelError(
-            f"'{output}' cannot be written: its format moves vertices a little, which could spoil the label. "
+            f"'{output}' cannot be written: its format compresses or simplifies meshes, which could spoil the label. "
             "Write a .ply, .obj, .off or .stl file."
         )
 
