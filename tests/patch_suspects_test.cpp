@@ -33,9 +33,12 @@ Shape Hills(double amplitude, double turn)
 struct Tally {
 	int unsuspected = 0, partly = 0, all = 0, faulty = 0;
 };
+struct Tallies {
+	Tally onRays, offRays;
+};
 
 void Compare(const Shape& shape, const LabelFrame& frame, const Outline& outline, double step, double height,
-             Tally& tally)
+             Tallies& tallies)
 {
 	const double snap = 4 * step;
 	std::unique_ptr<CutExample> e;
@@ -48,20 +51,27 @@ void Compare(const Shape& shape, const LabelFrame& frame, const Outline& outline
 	} catch (const Error&) {
 		return;  // too steep for this view
 	}
-	const LabelPatch patch = RaiseLabel(e->space, e->sheet, e->cut, height, ExtrudeAlong::Viewpoint);
-	const auto position = RoundedPositions(e->sheet, patch, [step](double x) { return OnGrid(x, step); });
-	const Suspects suspects = FindSuspects(e->space, e->sheet, layer, patch, position, height, snap);
-	const PatchVerdict full = CheckPatch(e->space, e->sheet, patch, position);
-	const PatchVerdict found = CheckPatch(e->space, e->sheet, patch, position, suspects);
-	EXPECT_EQ(found.fault == PatchFault::Sound, full.fault == PatchFault::Sound)
-		<< "step " << step << " height " << height << " found " << int(found.fault) << " full " << int(full.fault);
-	tally.faulty += full.fault != PatchFault::Sound;
-	++(suspects.all ? tally.all : suspects.none() ? tally.unsuspected : tally.partly);
+	for (const ExtrudeAlong along : {ExtrudeAlong::Viewpoint, ExtrudeAlong::LabelNormal, ExtrudeAlong::SurfaceNormal}) {
+		const LabelPatch patch = RaiseLabel(e->space, e->sheet, e->cut, height, along);
+		const auto position = RoundedPositions(e->sheet, patch, [step](double x) { return OnGrid(x, step); });
+		const PatchVerdict full = CheckPatch(e->space, e->sheet, patch, position);
+		for (const bool onRays : {true, false}) {
+			if (onRays && along != ExtrudeAlong::Viewpoint) continue;
+			const Suspects suspects = FindSuspects(e->space, e->sheet, layer, patch, position, onRays, height, snap);
+			const PatchVerdict found = CheckPatch(e->space, e->sheet, patch, position, suspects);
+			EXPECT_EQ(found.fault == PatchFault::Sound, full.fault == PatchFault::Sound)
+				<< "step " << step << " height " << height << " along " << int(along) << " on rays " << onRays
+				<< " found " << int(found.fault) << " full " << int(full.fault);
+			Tally& tally = onRays ? tallies.onRays : tallies.offRays;
+			tally.faulty += full.fault != PatchFault::Sound;
+			++(suspects.all ? tally.all : suspects.none() ? tally.unsuspected : tally.partly);
+		}
+	}
 }
 
 TEST(Suspects, NothingThatCrossesGoesUnsuspected)
 {
-	Tally tally;
+	Tallies tallies;
 	const double slant = 0.3;
 	for (double step = 1.0 / (1 << 20); step < 0.1; step *= 2)
 		for (const double amplitude : {0.0, 0.5, 3.0})
@@ -69,25 +79,27 @@ TEST(Suspects, NothingThatCrossesGoesUnsuspected)
 				for (const double height : {1.0, -1.0, 0.0, 8 * step}) {
 					const LabelFrame frame = FrameFromDirection(
 						{0.1 * turn, 0, 0}, {slant * std::sin(turn), slant * std::cos(turn), 1}, {0.1, 1, 0});
-					Compare(Hills(amplitude, turn), frame, ThreeLetters(), step, height, tally);
+					Compare(Hills(amplitude, turn), frame, ThreeLetters(), step, height, tallies);
 				}
-	EXPECT_GT(tally.unsuspected, 50);
-	EXPECT_GT(tally.partly, 50);
-	EXPECT_GT(tally.all, 10);
-	EXPECT_GT(tally.faulty, 10);
-	RecordProperty("unsuspected", tally.unsuspected);
+	EXPECT_GT(tallies.onRays.unsuspected, 50);
+	EXPECT_GT(tallies.onRays.partly, 50);
+	EXPECT_GT(tallies.onRays.all, 10);
+	EXPECT_GT(tallies.onRays.faulty, 10);
+	EXPECT_GT(tallies.offRays.partly, 200);
+	EXPECT_GT(tallies.offRays.faulty, 50);
 }
 
 TEST(Suspects, InPerspectiveToo)
 {
-	Tally tally;
+	Tallies tallies;
 	for (double step = 1.0 / (1 << 20); step < 0.1; step *= 4)
 		for (const double amplitude : {0.0, 0.5, 2.0})
 			for (const double height : {1.0, -1.0}) {
 				LabelFrame frame = FromAbovePerspective(40);
-				Compare(Hills(amplitude, 1), frame, ThreeLetters(), step, height, tally);
+				Compare(Hills(amplitude, 1), frame, ThreeLetters(), step, height, tallies);
 			}
-	EXPECT_GT(tally.unsuspected + tally.partly, 10);
+	EXPECT_GT(tallies.onRays.unsuspected + tallies.onRays.partly, 10);
+	EXPECT_GT(tallies.offRays.partly, 20);
 }
 
 // A sheet that runs a grid step behind the label: the depth tells nothing then, and each pair must be looked at.
@@ -99,7 +111,7 @@ TEST(Suspects, SheetsThatNearlyTouchAreLookedAt)
 	const SheetLayer layer = FindLayer(e.sheet, ThreeLetters(), FindSeeds(e.space, e.sheet, ThreeLetters(), 4 * step));
 	const LabelPatch patch = RaiseLabel(e.space, e.sheet, e.cut, 1, ExtrudeAlong::Viewpoint);
 	const auto position = RoundedPositions(e.sheet, patch, [step](double x) { return OnGrid(x, step); });
-	const Suspects suspects = FindSuspects(e.space, e.sheet, layer, patch, position, 1, 4 * step);
+	const Suspects suspects = FindSuspects(e.space, e.sheet, layer, patch, position, true, 1, 4 * step);
 	EXPECT_TRUE(suspects.all || !suspects.pairs.empty());
 	EXPECT_EQ(CheckPatch(e.space, e.sheet, patch, position, suspects).fault,
 	          CheckPatch(e.space, e.sheet, patch, position).fault);

@@ -348,13 +348,13 @@ inline void LabelPlanner::requireOutward(const LabelPatch& patch) const
 
 inline PatchVerdict LabelPlanner::check(const LabelPatch& patch, double height) const
 {
-	const bool sweeps = !patch.isFlat && !staysOnRays(), isStraight = !sweeps && !space_.wraps();
+	const bool sweeps = !patch.isFlat && !staysOnRays();
 	const auto checkAs = [&](const Precision& as) {
 		const std::vector<vcg::Point3d> position =
 			RoundedPositions(sheet_, patch, [&](double x) { return as.round(x); });
 		Suspects suspects;
-		if (isStraight && (isRepresentable_ || as.isExact()))
-			suspects = FindSuspects(space_, sheet_, layer_, patch, position, height, snap_);
+		if (!space_.wraps() && (isRepresentable_ || as.isExact()))
+			suspects = FindSuspects(space_, sheet_, layer_, patch, position, !sweeps, height, snap_);
 		const PatchVerdict verdict = CheckPatch(space_, sheet_, patch, position, suspects);
 		return !sweeps || verdict.fault != PatchFault::Sound ? verdict : CheckSweptVolume(sheet_, patch, position);
 	};

@@ -137,7 +137,7 @@ public:
 			(suspects.all || suspects.face[size_t(f)] ? mine : others).push_back(f);
 		if (!mine.empty()) {
 			others = withRest(std::move(others));
-			if (!suspects.all) others = thoseNear(mine, others);
+			if (!suspects.all && mine.size() < others.size()) others = thoseNear(mine, others);
 			const PatchVerdict found = search(mine, others);
 			if (found.fault != PatchFault::Sound) return found;
 		}
@@ -214,12 +214,29 @@ private:
 		}
 		return near;
 	}
+	/// Where a face lies along the frame's axes: in space the boxes of all walls meet that rise along a slanting direction.
+	/// @pre !space_.wraps()
+	SearchBox boxInFrame(int number) const
+	{
+		const vcg::Point3d origin = space_.toMesh({0, 0, 0});
+		SearchBox box;
+		double reach = 0;
+		for (const vcg::Point3d& p : corners(number)) {
+			const vcg::Point3d q = space_.toLabel(p), d = p - origin;
+			for (size_t i = 0; i < 3; ++i) {
+				box.low[i] = std::min(box.low[i], q[int(i)]);
+				box.high[i] = std::max(box.high[i], q[int(i)]);
+				reach = std::max(reach, std::abs(d[int(i)]));
+			}
+		}
+		return grown(box, kFarAboveRounding * reach * space_.scale());
+	}
 	/// Where a face lies round the axis, along it and off it: in space the boxes of all that runs along a slanting axis meet.
 	/// @pre space_.wraps()
 	SearchBox boxRoundAxis(int number) const
 	{
 		const Corners c = corners(number), at = unrolledCorners(number);
-		SearchBox box, nowhere;
+		SearchBox box;
 		double reach = 0, nearest = std::numeric_limits<double>::infinity();  // of the coordinates; to the axis
 		for (size_t k = 0; k < 3; ++k) {
 			for (size_t i = 0; i < 3; ++i) {
@@ -241,10 +258,15 @@ private:
 		}
 		box.low[2] -= nearer;
 		box.high[2] += nearer;
+		return grown(box, slack);
+	}
+	/// @return nothing for what is beyond the domain of the predicates
+	static SearchBox grown(SearchBox box, double by)
+	{
 		for (size_t k = 0; k < 3; ++k) {
-			box.low[k] -= slack;
-			box.high[k] += slack;
-			if (!std::isfinite(box.high[k] - box.low[k])) return nowhere;  // beyond the domain of the predicates
+			box.low[k] -= by;
+			box.high[k] += by;
+			if (!std::isfinite(box.high[k] - box.low[k])) return {};
 		}
 		return box;
 	}
@@ -274,8 +296,10 @@ private:
 		options.ignore = [&](int first, int second, bool isOther) {
 			return crossedBefore(mine[size_t(first)], numberOf(second, isOther));
 		};
-		if (space_.wraps())
-			options.boxOf = [&](int face, bool isOther) { return boxRoundAxis(numberOf(face, isOther)); };
+		options.boxOf = [&](int face, bool isOther) {
+			const int number = numberOf(face, isOther);
+			return space_.wraps() ? boxRoundAxis(number) : boxInFrame(number);
+		};
 		for (const FacePair& pair : FindCrossings(myCorners, otherCorners, options))
 			return verdict(mine[size_t(pair.first)], numberOf(pair.second, pair.secondIsOther));
 		return {};

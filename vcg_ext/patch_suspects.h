@@ -12,6 +12,8 @@
 // Faces for which one of these fails are *suspects*, together with all that share a vertex with them; so are the walls on a contour
 // vertex that is a vertex of the mesh, whose neighbours are not all in the patch. Suspects go to the exact search, the rest needs
 // none. For the surface around the patch the same is known from its layer (sheet_layer.h), or pair by pair.
+// Of a label raised otherwise, or that rises too little, the map of the ground still tells that what stays in the surface does not
+// cross itself; all walls and tops are suspects then.
 
 #include "label_clearance.h"
 #include "label_raise.h"
@@ -30,12 +32,14 @@ struct Suspects {
 	bool none() const { return !all && pairs.empty() && std::count(face.begin(), face.end(), 1) == 0; }
 };
 
-/// Find what could cross in a patch that is flat or raised along the rays.
+/// Find what could cross in a patch.
+/// @pre the label is not wrapped
+/// @param[in] onRays  whatever is raised stays on its ray
 /// @param[in] position  mesh coordinates as they will be read back: the sheet's vertices, then the patch's
 /// @param[in] height  world units
 /// @param[in] resolution  world units: more than a coordinate moves when it is rounded
 Suspects FindSuspects(const LabelSpace& space, const Sheet& sheet, const SheetLayer& layer, const LabelPatch& patch,
-                      const std::vector<vcg::Point3d>& position, double height, double resolution);
+                      const std::vector<vcg::Point3d>& position, bool onRays, double height, double resolution);
 
 // ---------------------------------------------------------------------------------------------------------------------------
 
@@ -44,8 +48,9 @@ namespace detail {
 /// A patch seen from infinity: each vertex of the ground, and where it was raised to.
 class PlanarMap {
 public:
+	/// @param[in] rises  false: of the ground alone, as if nothing was raised over it
 	PlanarMap(const LabelSpace& space, const Sheet& sheet, const LabelPatch& patch,
-	          const std::vector<vcg::Point3d>& position, double slack);
+	          const std::vector<vcg::Point3d>& position, bool rises, double slack);
 
 	/// Whether every face is counter-clockwise, and walls rise enough to say anything.
 	bool isSound() const { return isSound_; }
@@ -80,6 +85,7 @@ private:
 
 	const LabelSpace& space_;
 	const LabelPatch& patch_;
+	bool rises_;
 	int old_;
 	double slack_, lean_ = 0, rise_ = std::numeric_limits<double>::infinity();
 	bool isSound_ = true;
@@ -91,21 +97,22 @@ private:
 };
 
 inline PlanarMap::PlanarMap(const LabelSpace& space, const Sheet& sheet, const LabelPatch& patch,
-                            const std::vector<vcg::Point3d>& position, double slack)
-	: space_(space), patch_(patch), old_(int(sheet.vertices.size())), slack_(slack), raisedTo_(position.size()),
-	  isMeshContour_(position.size(), 0)
+                            const std::vector<vcg::Point3d>& position, bool rises, double slack)
+	: space_(space), patch_(patch), rises_(rises && !patch.isFlat), old_(int(sheet.vertices.size())), slack_(slack),
+	  raisedTo_(position.size()), isMeshContour_(position.size(), 0)
 {
 	place_.reserve(position.size() + patch.moved.size());
 	for (const SheetVertex& v : sheet.vertices) place_.push_back(withHeight(v.plane, v.label));
 	for (size_t v = size_t(old_); v < position.size(); ++v) place_.push_back(seen(position[v]));
 	std::iota(raisedTo_.begin(), raisedTo_.end(), 0);
 	for (const auto& moved : patch.moved) {
+		if (!rises_) break;
 		raisedTo_[size_t(moved.first)] = int(place_.size());
 		place_.push_back(seen(position[size_t(moved.first)]));
 	}
 	for (size_t v = size_t(old_); v < position.size(); ++v) {
 		const int ground = patch.vertices[v - size_t(old_)].ground;
-		if (ground < 0) continue;
+		if (ground < 0 || !rises_) continue;
 		raisedTo_[size_t(ground)] = int(v);
 		isMeshContour_[size_t(ground)] = ground < old_;
 	}
@@ -125,7 +132,7 @@ inline void PlanarMap::measureRise()
 	}
 	lean_ = 2 * lean_ + slack_;  // of the two axes together, and of the arithmetic
 	constexpr double leastRatio = 64;
-	if (!patch_.isFlat) isSound_ = rise_ > leastRatio * lean_;
+	if (rises_) isSound_ = rise_ > leastRatio * lean_;
 }
 
 inline void PlanarMap::measureFaces()
@@ -159,19 +166,20 @@ inline void PlanarMap::measureFaces()
 inline std::vector<char> PlanarMap::suspects() const
 {
 	constexpr double apart = 8, sharp = 8;  // of the bounds above, a little more than the proof needs
-	const bool isFlat = patch_.isFlat;
-	const double ratio = isFlat ? 1 : rise_ / lean_, steepest = std::sqrt(ratio) / apart;
+	const double ratio = rises_ ? rise_ / lean_ : 1, steepest = std::sqrt(ratio) / apart;
 	double slope = 0;
 	for (const Measure& m : measure_) slope = std::max(slope, double(m.slope));
 	slope = std::min(slope, steepest);
 	std::vector<char> suspect(patch_.faces.size(), 0), loose(isMeshContour_);
+	if (!rises_ && !patch_.isFlat)
+		for (size_t f = 0; f < suspect.size(); ++f) suspect[f] = patch_.faces[f].kind != FaceKind::Outside;
 	bool any = std::count(loose.begin(), loose.end(), 1) > 0;
 	auto measure = measure_.begin();
 	for (size_t f = 0; f < suspect.size(); ++f) {
 		if (patch_.faces[f].kind == FaceKind::Wall) continue;
 		const Measure& m = *measure++;
-		const bool isGood = m.altitude > apart * (isFlat ? slack_ : lean_) &&
-		                    (isFlat || (m.slope <= steepest && m.sine * ratio > sharp * slope));
+		const bool isGood = m.altitude > apart * (rises_ ? lean_ : slack_) &&
+		                    (!rises_ || (m.slope <= steepest && m.sine * ratio > sharp * slope));
 		if (isGood) continue;
 		any = true;
 		for (const int v : patch_.faces[f].vertex) loose[size_t(groundOf(v))] = 1;
@@ -267,20 +275,28 @@ inline std::vector<std::array<int, 2>> FindNearPairs(const Sheet& sheet, const S
 }  // namespace detail
 
 inline Suspects FindSuspects(const LabelSpace& space, const Sheet& sheet, const SheetLayer& layer,
-                             const LabelPatch& patch, const std::vector<vcg::Point3d>& position, double height,
-                             double resolution)
+                             const LabelPatch& patch, const std::vector<vcg::Point3d>& position, bool onRays,
+                             double height, double resolution)
 {
 	constexpr double arithmetic = 1e-3;  // of the resolution: far more than what doubles lose
 	Suspects suspects;
 	if (!sheet.straddling.empty()) return suspects;  // not seen as a whole
 	for (const int t : patch.removed)
 		if (!sheet.triangles[size_t(t)].facing) return suspects;
-	const detail::PlanarMap map(space, sheet, patch, position, arithmetic * resolution);
-	if (!map.isSound()) return suspects;
-	suspects.pairs = detail::FindNearPairs(sheet, layer, patch.removed, std::max(-height, 0.0), resolution);
-	if (suspects.pairs.size() > patch.faces.size()) return suspects;
-	suspects.face = map.suspects();
-	suspects.all = false;
+	if (space.perspective() && !std::all_of(position.begin() + std::ptrdiff_t(sheet.vertices.size()), position.end(),
+	                                        [&](const vcg::Point3d& p) { return space.isInFront(space.toLabel(p)); }))
+		return suspects;
+	for (const bool rises : {true, false}) {
+		if (rises && !onRays) continue;
+		const detail::PlanarMap map(space, sheet, patch, position, rises, arithmetic * resolution);
+		if (!map.isSound()) continue;
+		const double sunk = rises ? std::max(-height, 0.0) : 0;
+		suspects.pairs = detail::FindNearPairs(sheet, layer, patch.removed, sunk, resolution);
+		if (suspects.pairs.size() > patch.faces.size()) return suspects;
+		suspects.face = map.suspects();
+		suspects.all = false;
+		return suspects;
+	}
 	return suspects;
 }
 

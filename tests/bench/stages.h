@@ -58,7 +58,8 @@ public:
 	bool check() const
 	{
 		const auto position = rounded();
-		const auto suspects = vcg::textlabel::FindSuspects(space_, sheet_, layer_, patch_, position, height_, snap_);
+		const auto suspects =
+			vcg::textlabel::FindSuspects(space_, sheet_, layer_, patch_, position, true, height_, snap_);
 		const auto verdict = vcg::textlabel::CheckPatch(space_, sheet_, patch_, position, suspects);
 		return verdict.fault == vcg::textlabel::PatchFault::Sound;
 	}
