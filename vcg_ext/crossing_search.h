@@ -40,6 +40,13 @@ struct SearchBox {
 			high[k] = std::max(high[k], b.high[k]);
 		}
 	}
+	void grow(double margin)
+	{
+		for (size_t k = 0; k < 3; ++k) {
+			low[k] -= margin;
+			high[k] += margin;
+		}
+	}
 	bool meets(const SearchBox& b) const
 	{
 		// without branches: which of the six comparisons fails is not to be predicted

@@ -12,7 +12,7 @@
 #include "cut_repair.h"
 #include "label_clearance.h"
 #include "label_seed.h"
-#include "patch_check.h"
+#include "overhang.h"
 #include "rounding.h"
 #include "surface_measure.h"
 #include "surface_point.h"
@@ -50,7 +50,9 @@ struct LabelPlan {
 class LabelPlanner {
 public:
 	/// @param[in,out] sheet  caps under the letters may be flipped away (cut_repair.h)
-	LabelPlanner(const LabelSpace& space, Sheet& sheet, Precision precision, const LabelOptions& options);
+	/// @param[in] distant  null where the candidates are all there is
+	LabelPlanner(const LabelSpace& space, Sheet& sheet, Precision precision, const LabelOptions& options,
+	             FindDistant distant = nullptr);
 
 	/// World units: LabelPlan::resolution, if it takes the last attempt.
 	double worstResolution() const { return resolutionAt(mostAttempts - 1); }
@@ -83,6 +85,7 @@ private:
 	Sheet& sheet_;
 	Precision precision_;
 	const LabelOptions& options_;
+	const FindDistant distant_;
 	double meshUlp_, ulp_, snap_;
 	bool isRepresentable_ = true;  ///< rounding changes no vertex of the part
 	SheetLayer layer_;             ///< of the attempt at hand
@@ -91,8 +94,8 @@ private:
 // ---------------------------------------------------------------------------------------------------------------------------
 
 inline LabelPlanner::LabelPlanner(const LabelSpace& space, Sheet& sheet, Precision precision,
-                                  const LabelOptions& options)
-	: space_(space), sheet_(sheet), precision_(precision), options_(options),
+                                  const LabelOptions& options, FindDistant distant)
+	: space_(space), sheet_(sheet), precision_(precision), options_(options), distant_(std::move(distant)),
 	  meshUlp_(precision.ulp(sheet.largestCoordinate)), ulp_(meshUlp_ * space.scale()), snap_(snapUlps * ulp_)
 {}
 
@@ -355,7 +358,9 @@ inline PatchVerdict LabelPlanner::check(const LabelPatch& patch, double height) 
 		Suspects suspects;
 		if (!space_.wraps() && (isRepresentable_ || as.isExact()))
 			suspects = FindSuspects(space_, sheet_, layer_, patch, position, !sweeps, height, snap_);
-		const PatchVerdict verdict = CheckPatch(space_, sheet_, patch, position, suspects);
+		PatchVerdict verdict = CheckPatch(space_, sheet_, patch, position, suspects);
+		if (distant_ && verdict.fault == PatchFault::Sound)
+			verdict = CheckOverhang(sheet_, patch, position, as, distant_);
 		return !sweeps || verdict.fault != PatchFault::Sound ? verdict : CheckSweptVolume(sheet_, patch, position);
 	};
 	const PatchVerdict verdict = checkAs(precision_);

@@ -229,7 +229,8 @@ private:
 				reach = std::max(reach, std::abs(d[int(i)]));
 			}
 		}
-		return grown(box, kFarAboveRounding * reach * space_.scale());
+		box.grow(kFarAboveRounding * reach * space_.scale());
+		return withinDomain(box);
 	}
 	/// Where a face lies round the axis, along it and off it: in space the boxes of all that runs along a slanting axis meet.
 	/// @pre space_.wraps()
@@ -258,16 +259,14 @@ private:
 		}
 		box.low[2] -= nearer;
 		box.high[2] += nearer;
-		return grown(box, slack);
+		box.grow(slack);
+		return withinDomain(box);
 	}
-	/// @return nothing for what is beyond the domain of the predicates
-	static SearchBox grown(SearchBox box, double by)
+	/// Nothing for what is beyond the domain of the predicates.
+	static SearchBox withinDomain(const SearchBox& box)
 	{
-		for (size_t k = 0; k < 3; ++k) {
-			box.low[k] -= by;
-			box.high[k] += by;
+		for (size_t k = 0; k < 3; ++k)
 			if (!std::isfinite(box.high[k] - box.low[k])) return {};
-		}
 		return box;
 	}
 	bool isOnSurface(int face) const { return patch_.faces[size_t(face)].kind == FaceKind::Outside || patch_.isFlat; }

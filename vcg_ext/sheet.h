@@ -2,8 +2,9 @@
 // The sheet: the triangles that a label could touch, and how they hang together.
 //
 // One linear pass over the mesh finds the triangles whose projection meets the label's box, but for those that show their backs
-// deeper than the label may reach. No other step of a label looks at the whole mesh, but for growing its arrays (grow_mesh.h) and for
-// what is left of polygons (faux_edges.h).
+// deeper than the label may reach; those beside the box are noted. No other step of a label looks at the whole mesh, but for growing
+// its arrays (grow_mesh.h), for what is left of polygons (faux_edges.h), and where large triangles reach far out of the box
+// (overhang.h).
 // Adjacency is built among these candidates only, from their vertex indices. A candidate's half-edge h = 3 t + k runs from corner
 // k to corner k+1 of triangle t:
 //
@@ -78,6 +79,8 @@ struct Sheet {
 	std::vector<int> twin;                    ///< #T*3: the half-edge on the other side, or a HalfEdgeKind
 	std::vector<int> vertexStart, vertexFan;  ///< CSR: candidates around each vertex
 	PlaneBox box;              ///< what they were collected for: nothing else of the mesh meets it, but for isShallow
+	PlaneBox around;           ///< a wider one
+	std::vector<int> besides;  ///< faces of the mesh beside the box that may meet the wider one, ascending
 	bool mayFlip = true;       ///< false when faces carry a texture, which a flipped edge would smear
 	std::vector<int> flipped;  ///< triangles changed by FlipCaps (cut_repair.h), ascending
 	double capReach = 0;       ///< label units: how much further FlipCaps wants candidates, to know a cap's neighbours
@@ -180,7 +183,7 @@ struct FoundTriangle {
 /// What a pass over some of the faces finds.
 struct FoundTriangles {
 	std::vector<FoundTriangle> triangles;
-	std::vector<int> straddling;                                ///< faces
+	std::vector<int> straddling, besides;                       ///< faces
 	double farthest = std::numeric_limits<double>::infinity();  ///< label space: the least z of what faces the viewer
 	bool isEmpty = true;
 };
@@ -229,15 +232,23 @@ inline FoundTriangle SeeTriangle(const LabelSpace& space, int face, const std::a
 	return {std::max({z[0], z[1], z[2]}), face, facing};
 }
 
-/// One pass over some of the faces: those that may meet the box.
+/// One pass over some of the faces: those that may meet the box, and those beside it that may meet the one that the codes are for.
 template <class MeshType>
 FoundTriangles FindTriangles(const MeshType& m, const LabelSpace& space, const PlaneBox& box,
                              const std::vector<std::uint8_t>& codes, size_t begin, size_t end)
 {
 	FoundTriangles found;
+	constexpr std::uint8_t beside = Left | Right | Below | Above;
+	const LabelSpace here = space;  // copies that nothing else can change stay in registers
 	const PlaneBox unrolledBox = space.wraps() ? space.unrolledBox(box) : box;
+	const bool wraps = space.wraps(), perspective = space.perspective();
 	const auto isFinite = [](std::uint8_t x) { return !(x & Unusable) || (x & BehindCamera); };
-	const auto view = [&](const vcg::Point3d& p) { return space.wraps() ? space.unrolled(p) : space.inFrame(p); };
+	const auto view = [&](const vcg::Point3d& p) { return wraps ? here.unrolled(p) : here.inFrame(p); };
+	const auto codeIn = [&](const vcg::Point3d& q) {
+		return wraps         ? OutCodeOfUnrolled(here, unrolledBox, q)
+		       : perspective ? OutCodeOf(here, box, q)
+		                     : OutCodeOf(unrolledBox, {q[0], q[1]});
+	};
 	const auto* const first = m.vert.data();
 	const std::uint8_t* const code = codes.data();
 	bool anyBeside = false;
@@ -246,8 +257,16 @@ FoundTriangles FindTriangles(const MeshType& m, const LabelSpace& space, const P
 		if (face.IsD()) continue;
 		const std::ptrdiff_t i = face.cV(0) - first, j = face.cV(1) - first, k = face.cV(2) - first;
 		const std::uint8_t a = code[i], b = code[j], c = code[k];
-		if (a & b & c & (Left | Right | Below | Above)) {  // nearly all: beside the box, with all corners finite
+		if (a & b & c & beside) {  // nearly all, with all corners finite
 			anyBeside = true;
+			continue;
+		}
+		const std::array<int, 3> v = CornersOfFace(m, space, int(f));
+		std::array<vcg::Point3d, 3> corner;
+		for (size_t n = 0; n < 3; ++n) corner[n] = view(PointOf(m.vert[size_t(v[n])]));
+		if (codeIn(corner[0]) & codeIn(corner[1]) & codeIn(corner[2]) & beside) {
+			anyBeside = true;
+			found.besides.push_back(int(f));
 			continue;
 		}
 		found.isEmpty = found.isEmpty && !(isFinite(a) && isFinite(b) && isFinite(c));
@@ -257,9 +276,6 @@ FoundTriangles FindTriangles(const MeshType& m, const LabelSpace& space, const P
 			continue;
 		}
 		if (i == j || j == k || k == i) continue;  // a line: its edges pair with each other
-		const std::array<int, 3> v = CornersOfFace(m, space, int(f));
-		std::array<vcg::Point3d, 3> corner;
-		for (size_t n = 0; n < 3; ++n) corner[n] = view(PointOf(m.vert[size_t(v[n])]));
 		if (space.wraps()) {
 			const Wrapping wrapping = WrappingOf(space, unrolledBox, corner);
 			if (wrapping == Wrapping::Torn) found.straddling.push_back(int(f));
@@ -293,6 +309,7 @@ void CollectTriangles(const MeshType& m, const LabelSpace& space, double depth, 
 	sheet.triangles.reserve(size_t(count));
 	for (const FoundTriangles& part : found) {
 		sheet.isEmpty = sheet.isEmpty && part.isEmpty;
+		sheet.besides.insert(sheet.besides.end(), part.besides.begin(), part.besides.end());
 		for (const int face : part.straddling) {
 			StraddlingTriangle s;
 			s.face = face;
@@ -354,6 +371,26 @@ void CollectVertices(const MeshType& m, const LabelSpace& space, const std::vect
 	}
 }
 
+/// Mesh units: the median of the longest sides of some faces, spread evenly over the mesh; 0 without faces.
+template <class MeshType>
+double UsualEdge(const MeshType& m)
+{
+	constexpr size_t most = 64;
+	std::array<double, most> longest;
+	size_t count = 0;
+	for (size_t i = 0; i < most && i < m.face.size(); ++i) {
+		const auto& f = m.face[m.face.size() * i / std::min(most, m.face.size())];
+		if (f.IsD()) continue;
+		const vcg::Point3d a = PointOf(*f.cV(0)), b = PointOf(*f.cV(1)), c = PointOf(*f.cV(2));
+		const double length = std::max({(b - a).Norm(), (c - b).Norm(), (a - c).Norm()});
+		if (std::isfinite(length)) longest[count++] = length;
+	}
+	if (count == 0) return 0;
+	const auto median = longest.begin() + std::ptrdiff_t(count / 2);
+	std::nth_element(longest.begin(), median, longest.begin() + std::ptrdiff_t(count));
+	return *median;
+}
+
 }  // namespace detail
 
 /// Collect the triangles whose projection meets a box of the label plane; one linear pass over vertices and faces.
@@ -365,10 +402,13 @@ template <class MeshType>
 Sheet CollectSheet(const MeshType& m, const LabelSpace& space, const PlaneBox& box,
                    double depth = std::numeric_limits<double>::infinity())
 {
+	constexpr double triangles = 2, ofBox = 0.5;  // how much wider: more than most triangles reach out of the box
 	Sheet sheet;
-	sheet.box = box;
+	sheet.box = sheet.around = box;
+	sheet.around.grow(
+		std::min(triangles * space.scale() * detail::UsualEdge(m), ofBox * std::min(box.width(), box.height())));
 	sheet.mayFlip = !vcg::tri::HasPerWedgeTexCoord(m);
-	std::vector<std::uint8_t> code = detail::CodeVertices(m, space, box);
+	std::vector<std::uint8_t> code = detail::CodeVertices(m, space, sheet.around);
 	detail::CollectTriangles(m, space, depth, code, sheet);
 	detail::CollectVertices(m, space, code, sheet);
 	detail::LinkTriangles(sheet);
