@@ -143,9 +143,6 @@ fi
 parameters+=("text=${files[2]}")
 
 # What the parameters mean for files, whichever option they came by.
-is_flat=
-is_tinted=  # by the parameter tint; a colour without it means that letters get it
-has_color=
 declare -A streams=()  # parameter: the stream that gets a copy in the end, as the filter puts files in their places
 declare -A ending_of=([report]=json [picture]=png [outline]=svg)
 written=(${input:+"$(absolute "$input")"} ${output:+"$(absolute "$output")"})
@@ -169,16 +166,8 @@ for i in "${!parameters[@]}"; do
 		parameters[i]=$name=$value
 		;;
 	font) parameters[i]=$name=$(absolute_font "$value") ;;
-	style)
-		is_flat=
-		if [[ ${value,,} == f* || $value == 2 ]]; then is_flat=yes; fi
-		;;
-	color) has_color=yes ;;
-	tint) if [[ $value == true || $value == 1 ]]; then is_tinted=yes; else is_tinted=no; fi ;;
 	esac
 done
-colors=
-if [ -n "$is_flat" ] || [ "${is_tinted:-$has_color}" = yes ]; then colors=fc; fi
 
 # ---- what can be refused before MeshLab starts
 
@@ -194,10 +183,7 @@ folder=$(dirname -- "$output")
 ending=${output##*.}
 [[ $ending =~ ^[A-Za-z0-9]+$ && $(basename -- "$output") == *.* ]] || refuse "The output '$output' has no ending that says its format. Name it .stl, .ply, .obj or .off."
 case ${ending,,} in
-stl | ply | obj | off | x3d) ;;
-dae | wrl)  # meshlabserver leaves the colours of faces away
-	[ -z "$is_flat" ] || refuse "A flat label is a colour, which a .${ending,,} file would not hold. Name the output .ply or .obj."
-	;;
+stl | ply | obj | off | x3d | dae | wrl) ;;
 *)  # of some, as .3ds and .u3d, meshlabserver asks how in a window that nobody sees, and waits for ever; .ctm moves vertices
 	refuse "The format '$ending' cannot be written here. Name the output .stl, .ply, .obj, .off, .dae, .x3d or .wrl."
 	;;
@@ -233,6 +219,15 @@ for name in "${!streams[@]}"; do parameters+=("$name=$work/$name.${ending_of[$na
 find_plugin
 check_room 512K  # a copy of meshlabserver comes first
 "$script_program" "${parameters[@]}" >"$work/label.mlx" || wrong "a value cannot be used"
+
+# NAME VALUE: whether the label has it, given or not.
+has_value() { grep -q "<Param name=\"$1\" [^>]*value=\"$2\"" "$work/label.mlx"; }
+flat=2  # of the styles
+colors=
+if has_value style $flat || has_value tint true; then colors='fc'; fi
+if has_value style $flat && [[ ${ending,,} =~ ^(dae|wrl)$ ]]; then  # meshlabserver leaves the colours of faces away
+	refuse "A flat label is a colour, which a .${ending,,} file would not hold. Name the output .ply or .obj."
+fi
 
 # ---- run MeshLab
 

@@ -2,9 +2,10 @@
 // From where to look at a part: along the normals of its largest flat regions, and from all around; and which way is up there.
 
 #include "placement_part.h"
+#include "vcg_ext/place_table.h"
+
 #include <algorithm>
 #include <cstdint>
-#include <cstring>
 
 namespace textlabel {
 
@@ -68,20 +69,6 @@ struct Side {
 	vcg::Point3d vector;
 };
 
-/// Depends on the coordinates alone, not on the index: a mesh need not be welded.
-inline std::uint64_t PointKey(const vcg::Point3d& p)
-{
-	std::uint64_t key = 0;
-	for (int i = 0; i < 3; ++i) {
-		const double value = p[i] + 0.0;  // one zero for both signs
-		std::uint64_t bits;
-		std::memcpy(&bits, &value, sizeof bits);
-		key = (key ^ bits) * 0x9E3779B97F4A7C15ull;
-		key ^= key >> 29;
-	}
-	return key;
-}
-
 /// Borders of the flat regions that face a direction: sides that belong to one of its faces only.
 inline std::vector<vcg::Point3d> BordersFacing(const Part& part, const vcg::Point3d& towards, double cosine)
 {
@@ -91,7 +78,8 @@ inline std::vector<vcg::Point3d> BordersFacing(const Part& part, const vcg::Poin
 		for (size_t i = 0; i < 3; ++i) {
 			const vcg::Point3d& a = part.points[size_t(part.faces[f][i])];
 			const vcg::Point3d& b = part.points[size_t(part.faces[f][(i + 1) % 3])];
-			sides.push_back({PointKey(a) + PointKey(b), b - a});
+			// by coordinates, not by index: a mesh need not be welded
+			sides.push_back({vcg::textlabel::HashOfPlace(a) + vcg::textlabel::HashOfPlace(b), b - a});
 		}
 	}
 	std::sort(sides.begin(), sides.end(),

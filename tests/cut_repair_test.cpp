@@ -162,8 +162,11 @@ TEST(FlipCaps, TurnsTheEdgeBelowACap)
 	for (const double y : {0.0, 5e-4, -5e-4}) {
 		const CapShape s({0.3, y}, {0.1, -2});
 		Sheet sheet = s.sheet();
+		const std::vector<SheetTriangle> before = sheet.triangles;
 		ASSERT_TRUE(FlipCaps(sheet, {0}, kThinnest)) << y;
 		EXPECT_EQ(sheet.flipped, (std::vector<int>{0, 1}));
+		ASSERT_EQ(sheet.unflipped.size(), 2u);
+		for (size_t t = 0; t < 2; ++t) EXPECT_EQ(sheet.unflipped[t], before[t].vertex);
 		EXPECT_EQ(sheet.triangles[0].birthFace(), 1) << "the cap had nothing to show";
 		std::set<std::set<int>> faces;
 		for (const SheetTriangle& t : sheet.triangles) {

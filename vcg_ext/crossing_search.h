@@ -58,6 +58,7 @@ struct SearchBox {
 
 struct CrossingOptions {
 	bool stopAtFirst = false;  ///< return after one pair: enough to refuse
+	bool amongFaces = true;    ///< false: faces × others alone
 	/// Called as ignore(first, second, secondIsOther) for a pair that crosses: true leaves it out. May be null.
 	std::function<bool(int, int, bool)> ignore = nullptr;
 	/// Called as boxOf(face, isOther): a box of a face, in any coordinates in which the boxes of faces that meet do; finite, or empty for
@@ -282,7 +283,8 @@ std::vector<FacePair> FindCrossingsOf(size_t count, const CornersOf& cornersOf, 
 	const auto search = [&](const auto& boxOf, const auto& otherBoxOf) {
 		const FaceTree tree(count, boxOf, Everywhere());
 		if (tree.top() < 0) return;
-		if (PairDescent(tree, tree, amongFaces).run() && otherCount > 0) {
+		const bool goesOn = !options.amongFaces || PairDescent(tree, tree, amongFaces).run();
+		if (goesOn && otherCount > 0) {
 			const FaceTree otherTree(otherCount, otherBoxOf, tree.box(tree.top(), 0));
 			PairDescent(tree, otherTree, withOther).run();
 		}

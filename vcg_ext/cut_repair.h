@@ -230,6 +230,13 @@ public:
 		sheet_.triangles[size_t(t)].facing = true;
 		sheet_.triangles[size_t(t)].birth =
 			sheet_.triangles[size_t(g)].birthFace();  // the cap had no area to show its own
+		for (const int changing : {t, g}) {
+			const auto place = std::lower_bound(sheet_.flipped.begin(), sheet_.flipped.end(), changing);
+			if (place != sheet_.flipped.end() && *place == changing) continue;
+			sheet_.unflipped.insert(sheet_.unflipped.begin() + (place - sheet_.flipped.begin()),
+			                        sheet_.triangles[size_t(changing)].vertex);
+			sheet_.flipped.insert(place, changing);
+		}
 		turn(longest, other, {a, d, c}, {d, b, c});
 		const auto move = [&](int triangle, int from, int to) {
 			std::vector<int>& left = fan(from);
@@ -238,9 +245,6 @@ public:
 		};
 		move(t, b, d);
 		move(g, a, c);
-		for (const int changed : {t, g})
-			if (!isFlipped(changed))
-				sheet_.flipped.insert(std::lower_bound(sheet_.flipped.begin(), sheet_.flipped.end(), changed), changed);
 		return g;
 	}
 

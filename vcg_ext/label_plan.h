@@ -352,6 +352,7 @@ inline void LabelPlanner::requireOutward(const LabelPatch& patch) const
 inline PatchVerdict LabelPlanner::check(const LabelPatch& patch, double height) const
 {
 	const bool sweeps = !patch.isFlat && !staysOnRays();
+	const Overhang overhang(sheet_, patch.removed, precision_, worstResolution());
 	const auto checkAs = [&](const Precision& as) {
 		const std::vector<vcg::Point3d> position =
 			RoundedPositions(sheet_, patch, [&](double x) { return as.round(x); });
@@ -359,8 +360,8 @@ inline PatchVerdict LabelPlanner::check(const LabelPatch& patch, double height) 
 		if (!space_.wraps() && (isRepresentable_ || as.isExact()))
 			suspects = FindSuspects(space_, sheet_, layer_, patch, position, !sweeps, height, snap_);
 		PatchVerdict verdict = CheckPatch(space_, sheet_, patch, position, suspects);
-		if (distant_ && verdict.fault == PatchFault::Sound)
-			verdict = CheckOverhang(sheet_, patch, position, as, distant_);
+		if (distant_ && verdict.fault == PatchFault::Sound && !overhang.triangles().empty())
+			verdict = CheckOverhang(sheet_, patch, position, as, overhang, distant_(overhang));
 		return !sweeps || verdict.fault != PatchFault::Sound ? verdict : CheckSweptVolume(sheet_, patch, position);
 	};
 	const PatchVerdict verdict = checkAs(precision_);

@@ -25,7 +25,8 @@ enum class PatchFault {
 	Collapsed,    ///< a face without area, or turned round by rounding
 	Folded,       ///< a raised face points away from where the surface pointed
 	CrossesSelf,  ///< two faces of the label meet
-	CrossesPart   ///< a face of the label meets another part of the surface
+	CrossesPart,  ///< a face of the label meets another part of the surface
+	SpoilsBeside  ///< a piece of the surface, once rounded, meets a face far beside the label (overhang.h)
 };
 
 struct PatchVerdict {
@@ -166,13 +167,11 @@ private:
 		const Corners& c = straddling(number).mesh;
 		return {space_.unrolled(c[0]), space_.unrolled(c[1]), space_.unrolled(c[2])};
 	}
-	/// As they were before the label: of a piece, those of the triangle it was cut from.
-	Corners cornersBefore(int number) const
+	/// Whether `holds` is true for the corners that a face had before the label: of a piece, those of what it was cut from.
+	template <class Holds>
+	bool anyBefore(int number, const Holds& holds) const
 	{
-		if (number >= firstStraddling()) return straddling(number).mesh;
-		const auto& v = sheet_.triangles[size_t(parent(number))].vertex;
-		const auto at = [&](size_t k) { return sheet_.vertices[size_t(v[k])].mesh; };
-		return {at(0), at(1), at(2)};
+		return number < firstStraddling() ? sheet_.anyBefore(parent(number), holds) : holds(straddling(number).mesh);
 	}
 	int parent(int number) const
 	{
@@ -275,7 +274,10 @@ private:
 	{
 		if (!isOnSurface(face) || (other < patchFaces() && !isOnSurface(other))) return false;
 		if (other < firstStraddling() && parent(face) == parent(other)) return false;
-		return IsCrossing(ContactOf(cornersBefore(face), cornersBefore(other)));
+		return anyBefore(face, [&](const Corners& first) {
+			return anyBefore(
+				other, [&](const Corners& second) { return first != second && IsCrossing(ContactOf(first, second)); });
+		});
 	}
 	PatchVerdict verdict(int face, int other) const
 	{

@@ -283,19 +283,17 @@ inline Suspects FindSuspects(const LabelSpace& space, const Sheet& sheet, const 
 	if (!sheet.straddling.empty()) return suspects;  // not seen as a whole
 	for (const int t : patch.removed)
 		if (!sheet.triangles[size_t(t)].facing) return suspects;
-	if (space.perspective() && !std::all_of(position.begin() + std::ptrdiff_t(sheet.vertices.size()), position.end(),
-	                                        [&](const vcg::Point3d& p) { return space.isInFront(space.toLabel(p)); }))
-		return suspects;
 	for (const bool rises : {true, false}) {
-		if (rises && !onRays) continue;
+		if (rises ? !onRays : onRays && patch.isFlat) continue;  // the map of what is flat is that of the ground
 		const detail::PlanarMap map(space, sheet, patch, position, rises, arithmetic * resolution);
 		if (!map.isSound()) continue;
 		const double sunk = rises ? std::max(-height, 0.0) : 0;
-		suspects.pairs = detail::FindNearPairs(sheet, layer, patch.removed, sunk, resolution);
-		if (suspects.pairs.size() > patch.faces.size()) return suspects;
+		auto pairs = detail::FindNearPairs(sheet, layer, patch.removed, sunk, resolution);
+		if (pairs.size() > patch.faces.size()) continue;
+		suspects.pairs = std::move(pairs);
 		suspects.face = map.suspects();
 		suspects.all = false;
-		return suspects;
+		break;
 	}
 	return suspects;
 }

@@ -9,6 +9,20 @@
 
 namespace vcg::textlabel {
 
+/// The same for equal coordinates; 0 and -0 are equal.
+inline std::uint64_t HashOfPlace(const vcg::Point3d& p)
+{
+	std::uint64_t hash = 0;
+	for (int k = 0; k < 3; ++k) {
+		const double x = p[k] + 0.0;  // -0 is 0
+		std::uint64_t word;
+		std::memcpy(&word, &x, sizeof word);
+		hash = (hash ^ word) * 0x9E3779B97F4A7C15;  // 2^64 / golden ratio
+		hash ^= hash >> 32;
+	}
+	return hash;
+}
+
 class PlaceTable {
 public:
 	/// @param[in] position  kept by reference
@@ -36,16 +50,8 @@ private:
 	size_t slotOf(int vertex) const
 	{
 		const vcg::Point3d& p = position_[size_t(vertex)];
-		std::uint64_t hash = 0;
-		for (int k = 0; k < 3; ++k) {
-			const double x = p[k] + 0.0;  // -0 is 0
-			std::uint64_t word;
-			std::memcpy(&word, &x, sizeof word);
-			hash = (hash ^ word) * 0x9E3779B97F4A7C15;  // 2^64 / golden ratio
-			hash ^= hash >> 32;
-		}
 		const size_t last = slots_.size() - 1;
-		size_t slot = size_t(hash) & last;
+		size_t slot = size_t(HashOfPlace(p)) & last;
 		while (slots_[slot] >= 0 && position_[size_t(slots_[slot])] != p) slot = (slot + 1) & last;
 		return slot;
 	}

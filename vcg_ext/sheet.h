@@ -80,10 +80,11 @@ struct Sheet {
 	std::vector<int> vertexStart, vertexFan;  ///< CSR: candidates around each vertex
 	PlaneBox box;              ///< what they were collected for: nothing else of the mesh meets it, but for isShallow
 	PlaneBox around;           ///< a wider one
-	std::vector<int> besides;  ///< faces of the mesh beside the box that may meet the wider one, ascending
+	std::vector<int> besides;  ///< other faces of the mesh that may meet the wider one, but for isShallow; ascending
 	bool mayFlip = true;       ///< false when faces carry a texture, which a flipped edge would smear
 	std::vector<int> flipped;  ///< triangles changed by FlipCaps (cut_repair.h), ascending
-	double capReach = 0;       ///< label units: how much further FlipCaps wants candidates, to know a cap's neighbours
+	std::vector<std::array<int, 3>> unflipped;  ///< #flipped: what their vertices were
+	double capReach = 0;  ///< label units: how much further FlipCaps wants candidates, to know a cap's neighbours
 	double largestCoordinate = 0;  ///< of the candidates' mesh coordinates, in absolute value
 	bool isEmpty = true;           ///< no face of the mesh has three finite vertices
 	bool isShallow = false;        ///< some that show their backs were left out: the label can't reach so deep
@@ -94,6 +95,19 @@ struct Sheet {
 	int from(int h) const { return triangles[size_t(h / 3)].vertex[size_t(h % 3)]; }
 	int to(int h) const { return from(Next(h)); }
 	const vcg::Point2d& plane(int v) const { return vertices[size_t(v)].plane; }
+	/// Whether `holds` is true for the corners, in mesh coordinates, of what lay in a triangle's place before anything was flipped:
+	/// itself, or any of those that were.
+	template <class Holds>
+	bool anyBefore(int t, const Holds& holds) const
+	{
+		const auto holdsAt = [&](const std::array<int, 3>& v) {
+			const auto at = [&](size_t k) { return vertices[size_t(v[k])].mesh; };
+			return holds(std::array<vcg::Point3d, 3>{at(0), at(1), at(2)});
+		};
+		return std::binary_search(flipped.begin(), flipped.end(), t)
+		           ? std::any_of(unflipped.begin(), unflipped.end(), holdsAt)
+		           : holdsAt(triangles[size_t(t)].vertex);
+	}
 	int canonical(int h) const { return twin[size_t(h)] >= 0 && twin[size_t(h)] < h ? twin[size_t(h)] : h; }
 	/// The triangle across h when it is there and faces the viewer, else -1.
 	int facingAcross(int h) const
@@ -244,10 +258,11 @@ FoundTriangles FindTriangles(const MeshType& m, const LabelSpace& space, const P
 	const bool wraps = space.wraps(), perspective = space.perspective();
 	const auto isFinite = [](std::uint8_t x) { return !(x & Unusable) || (x & BehindCamera); };
 	const auto view = [&](const vcg::Point3d& p) { return wraps ? here.unrolled(p) : here.inFrame(p); };
-	const auto codeIn = [&](const vcg::Point3d& q) {
-		return wraps         ? OutCodeOfUnrolled(here, unrolledBox, q)
-		       : perspective ? OutCodeOf(here, box, q)
-		                     : OutCodeOf(unrolledBox, {q[0], q[1]});
+	const auto codeIn = [&](std::uint8_t around, const vcg::Point3d& q) {
+		return (around & (Unusable | BehindCamera)) == Unusable ? std::uint8_t(Unusable)
+		       : wraps                                          ? OutCodeOfUnrolled(here, unrolledBox, q)
+		       : perspective                                    ? OutCodeOf(here, box, q)
+		                                                        : OutCodeOf(unrolledBox, {q[0], q[1]});
 	};
 	const auto* const first = m.vert.data();
 	const std::uint8_t* const code = codes.data();
@@ -261,29 +276,38 @@ FoundTriangles FindTriangles(const MeshType& m, const LabelSpace& space, const P
 			anyBeside = true;
 			continue;
 		}
-		const std::array<int, 3> v = CornersOfFace(m, space, int(f));
-		std::array<vcg::Point3d, 3> corner;
-		for (size_t n = 0; n < 3; ++n) corner[n] = view(PointOf(m.vert[size_t(v[n])]));
-		if (codeIn(corner[0]) & codeIn(corner[1]) & codeIn(corner[2]) & beside) {
-			anyBeside = true;
-			found.besides.push_back(int(f));
-			continue;
-		}
-		found.isEmpty = found.isEmpty && !(isFinite(a) && isFinite(b) && isFinite(c));
-		if ((a | b | c) & Unusable) {
-			const bool isMet = space.wraps() || !(a & b & c & BehindCamera);  // the axis is met from all sides
-			if (((a | b | c) & BehindCamera) && isMet) found.straddling.push_back(int(f));
-			continue;
-		}
-		if (i == j || j == k || k == i) continue;  // a line: its edges pair with each other
-		if (space.wraps()) {
-			const Wrapping wrapping = WrappingOf(space, unrolledBox, corner);
-			if (wrapping == Wrapping::Torn) found.straddling.push_back(int(f));
-			if (wrapping != Wrapping::Whole) continue;
-			for (vcg::Point3d& q : corner) q = space.turned(q);
-		}
-		const FoundTriangle seen = SeeTriangle(space, int(f), corner, found.farthest);
-		if (std::isfinite(seen.nearest)) found.triangles.push_back(seen);
+		const auto isTaken = [&] {
+			const std::array<int, 3> v = CornersOfFace(m, space, int(f));
+			std::array<vcg::Point3d, 3> corner;
+			std::uint8_t common = beside;
+			for (size_t n = 0; n < 3; ++n) {
+				corner[n] = view(PointOf(m.vert[size_t(v[n])]));
+				common &= codeIn(code[v[n]], corner[n]);
+			}
+			if (common) {
+				anyBeside = true;
+				return false;
+			}
+			found.isEmpty = found.isEmpty && !(isFinite(a) && isFinite(b) && isFinite(c));
+			if ((a | b | c) & Unusable) {
+				const bool isMet = wraps || !(a & b & c & BehindCamera);  // the axis is met from all sides
+				if (!((a | b | c) & BehindCamera) || !isMet) return false;
+				found.straddling.push_back(int(f));
+				return true;
+			}
+			if (i == j || j == k || k == i) return false;  // a line: its edges pair with each other
+			if (wraps) {
+				const Wrapping wrapping = WrappingOf(here, unrolledBox, corner);
+				if (wrapping == Wrapping::Torn) found.straddling.push_back(int(f));
+				if (wrapping != Wrapping::Whole) return wrapping == Wrapping::Torn;
+				for (vcg::Point3d& q : corner) q = here.turned(q);
+			}
+			const FoundTriangle seen = SeeTriangle(here, int(f), corner, found.farthest);
+			if (!std::isfinite(seen.nearest)) return false;
+			found.triangles.push_back(seen);
+			return true;
+		};
+		if (!isTaken()) found.besides.push_back(int(f));
 	}
 	found.isEmpty = found.isEmpty && !anyBeside;
 	return found;
@@ -407,6 +431,10 @@ Sheet CollectSheet(const MeshType& m, const LabelSpace& space, const PlaneBox& b
 	sheet.box = sheet.around = box;
 	sheet.around.grow(
 		std::min(triangles * space.scale() * detail::UsualEdge(m), ofBox * std::min(box.width(), box.height())));
+	if (space.wraps()) {  // what lies over the cut has no side
+		const PlaneBox way = space.unrolledBox(sheet.around);
+		if (!(way.low[0] > space.cutAt(-1) && way.high[0] < space.cutAt(1))) sheet.around = box;
+	}
 	sheet.mayFlip = !vcg::tri::HasPerWedgeTexCoord(m);
 	std::vector<std::uint8_t> code = detail::CodeVertices(m, space, sheet.around);
 	detail::CollectTriangles(m, space, depth, code, sheet);

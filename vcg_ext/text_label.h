@@ -189,8 +189,7 @@ PlannedLabel PlanInBox(const MeshType& m, const LabelSpace& space, const Outline
 	if (ExceedsPart(m, space, p.sheet, std::abs(options.height), diagonal))
 		throw Error(ErrorCode::BadHeight, "larger than the part").measured(std::abs(options.height), diagonal);
 	try {
-		const auto distant = [&](const Overhang& overhang) { return FacesNear(m, p.sheet, overhang); };
-		p.plan = LabelPlanner(space, p.sheet, precision, options, distant).plan(outline);
+		p.plan = LabelPlanner(space, p.sheet, precision, options, DistantFinder(m, p.sheet)).plan(outline);
 	} catch (const Error& e) {
 		if (e.code == ErrorCode::OffSurface && p.sheet.isShallow)  // or over a back
 			return PlanInBox(m, space, outline, box, options, true, precision);

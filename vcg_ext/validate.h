@@ -11,13 +11,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <cstring>
 #include <optional>
 #include <sstream>
 #include <string>
 #include <vector>
 
 #include "crossing_search.h"
+#include "place_table.h"
 #include "rounding.h"
 #include "vertex_point.h"
 
@@ -126,43 +126,19 @@ private:
 
 inline bool HasRepeatedIndex(const Face& f) { return f[0] == f[1] || f[1] == f[2] || f[2] == f[0]; }
 
-inline std::uint64_t HashOf(const vcg::Point3d& p)
-{
-	std::uint64_t hash = 0;
-	for (int k = 0; k < 3; ++k) {
-		const double x = p[k] + 0.0;  // makes -0 and 0 one
-		std::uint64_t bits;
-		std::memcpy(&bits, &x, sizeof bits);
-		hash = (hash ^ bits) * 0x9e3779b97f4a7c15ULL;  // 2^64 divided by the golden ratio: spreads neighbouring numbers
-		hash ^= hash >> 32;
-	}
-	return hash;
-}
-
-/// Makes vertices of equal coordinates one, by a table with open addressing, at most half full; those that are not numbers equal none.
+/// Makes vertices of equal coordinates one; those that are not numbers equal none.
 inline void MergeEqualPoints(IndexedMesh& mesh)
 {
-	size_t tableSize = 16;
-	while (tableSize < 2 * mesh.positions.size()) tableSize *= 2;
-	std::vector<int> table(tableSize, -1), merged(mesh.positions.size());
-	size_t kept = 0;
+	PlaceTable table(mesh.positions, mesh.positions.size());
+	std::vector<int> merged(mesh.positions.size());
+	int kept = 0;
 	for (size_t i = 0; i < mesh.positions.size(); ++i) {
 		const vcg::Point3d p = mesh.positions[i];
-		if (p != p) {  // in the table each would look at all before it
-			merged[i] = static_cast<int>(kept);
-			mesh.positions[kept++] = p;
-			continue;
-		}
-		size_t slot = HashOf(p) & (tableSize - 1);
-		while (table[slot] >= 0 && mesh.positions[static_cast<size_t>(table[slot])] != p)
-			slot = (slot + 1) & (tableSize - 1);
-		if (table[slot] < 0) {
-			table[slot] = static_cast<int>(kept);
-			mesh.positions[kept++] = p;
-		}
-		merged[i] = table[slot];
+		mesh.positions[static_cast<size_t>(kept)] = p;
+		const int there = p == p ? table.add(kept) : -1;  // each that is no number would look at all before it
+		merged[i] = there < 0 ? kept++ : there;
 	}
-	mesh.positions.resize(kept);
+	mesh.positions.resize(static_cast<size_t>(kept));
 	for (Face& f : mesh.faces)
 		for (int& v : f) v = merged[static_cast<size_t>(v)];
 }
