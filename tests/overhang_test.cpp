@@ -82,7 +82,7 @@ void Compare(const Shape& plate, double from, double to, std::mt19937& random, T
 		if (f.kind != FaceKind::Outside) continue;
 		const Corners piece = detail::CornersOf(position, f.vertex);
 		const auto& whole = shape.faces[size_t(sheet.triangles[size_t(f.parent)].face)];
-		for (size_t other = 0; other < shape.faces.size(); ++other) {
+		for (size_t other = plate.faces.size(); other < shape.faces.size(); ++other) {
 			if (isCandidate[other]) continue;
 			const auto stored = [&](const auto& face) -> Corners {
 				const auto at = [&](size_t k) { return shape.points[size_t(face[k])]; };
@@ -122,10 +122,10 @@ TEST(Overhang, WhatPiecesCrossFarOutIsFound)
 
 TEST(Overhang, WhatTheyCrossNextToTheBoxIsFound)
 {
-	const Tally tally = CompareMany(Slope(60, 20), 14, 20, 1500);
-	EXPECT_GT(tally.crossings, 20);
+	const Tally tally = CompareMany(Slope(60, 20), 14, 20, 1000);
+	EXPECT_GT(tally.crossings, 10);
 	EXPECT_GT(tally.sound, 30);
-	EXPECT_GT(tally.withinRing, 1000);
+	EXPECT_GT(tally.withinRing, 600);
 }
 
 // The list of faces around the box leaves none out, also of what can't be unrolled whole.

@@ -119,15 +119,15 @@ inline void RequireOwnVertices(const Sheet& sheet, const LabelPatch& patch)
 	for (const PatchFace& f : patch.faces)
 		for (const int v : f.vertex)
 			if (f.kind == FaceKind::Outside && v < int(shared.size())) shared[size_t(v)] = 1;
-	std::vector<int> ofStraddling;  // mesh indices
+	std::vector<int> ofOthers = sheet.besideNoPoint;  // mesh indices
 	for (const StraddlingTriangle& s : sheet.straddling)
-		ofStraddling.insert(ofStraddling.end(), s.vertex.begin(), s.vertex.end());
-	std::sort(ofStraddling.begin(), ofStraddling.end());
+		ofOthers.insert(ofOthers.end(), s.vertex.begin(), s.vertex.end());
+	std::sort(ofOthers.begin(), ofOthers.end());
 	std::vector<char> isRemoved(sheet.triangles.size(), 0);
 	for (const int t : patch.removed) isRemoved[size_t(t)] = 1;
 	for (const auto& [v, to] : patch.moved) {
 		bool own = !shared[size_t(v)] &&
-		           !std::binary_search(ofStraddling.begin(), ofStraddling.end(), sheet.vertices[size_t(v)].index);
+		           !std::binary_search(ofOthers.begin(), ofOthers.end(), sheet.vertices[size_t(v)].index);
 		for (int i = sheet.vertexStart[size_t(v)]; i < sheet.vertexStart[size_t(v) + 1]; ++i)
 			own = own && isRemoved[size_t(sheet.vertexFan[size_t(i)])];
 		if (!own)

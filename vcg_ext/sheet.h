@@ -89,6 +89,7 @@ struct Sheet {
 	bool isEmpty = true;           ///< no face of the mesh has three finite vertices
 	bool isShallow = false;        ///< some that show their backs were left out: the label can't reach so deep
 	std::vector<StraddlingTriangle> straddling;
+	std::vector<int> besideNoPoint;  ///< vertices of the mesh in faces that have a corner which is not finite
 
 	static int Next(int h) { return h % 3 == 2 ? h - 2 : h + 1; }
 	static int Previous(int h) { return h % 3 == 0 ? h + 2 : h - 1; }
@@ -198,6 +199,7 @@ struct FoundTriangle {
 struct FoundTriangles {
 	std::vector<FoundTriangle> triangles;
 	std::vector<int> straddling, besides;                       ///< faces
+	std::vector<int> besideNoPoint;                             ///< vertices
 	double farthest = std::numeric_limits<double>::infinity();  ///< label space: the least z of what faces the viewer
 	bool isEmpty = true;
 };
@@ -257,6 +259,9 @@ FoundTriangles FindTriangles(const MeshType& m, const LabelSpace& space, const P
 	const PlaneBox unrolledBox = space.wraps() ? space.unrolledBox(box) : box;
 	const bool wraps = space.wraps(), perspective = space.perspective();
 	const auto isFinite = [](std::uint8_t x) { return !(x & Unusable) || (x & BehindCamera); };
+	const auto areFinite = [&](std::uint8_t x, std::uint8_t y, std::uint8_t z) {
+		return isFinite(x) && isFinite(y) && isFinite(z);
+	};
 	const auto view = [&](const vcg::Point3d& p) { return wraps ? here.unrolled(p) : here.inFrame(p); };
 	const auto codeIn = [&](std::uint8_t around, const vcg::Point3d& q) {
 		return (around & (Unusable | BehindCamera)) == Unusable ? std::uint8_t(Unusable)
@@ -288,8 +293,9 @@ FoundTriangles FindTriangles(const MeshType& m, const LabelSpace& space, const P
 				anyBeside = true;
 				return false;
 			}
-			found.isEmpty = found.isEmpty && !(isFinite(a) && isFinite(b) && isFinite(c));
+			found.isEmpty = found.isEmpty && !areFinite(a, b, c);
 			if ((a | b | c) & Unusable) {
+				if (!areFinite(a, b, c)) found.besideNoPoint.insert(found.besideNoPoint.end(), v.begin(), v.end());
 				const bool isMet = wraps || !(a & b & c & BehindCamera);  // the axis is met from all sides
 				if (!((a | b | c) & BehindCamera) || !isMet) return false;
 				found.straddling.push_back(int(f));
@@ -334,6 +340,7 @@ void CollectTriangles(const MeshType& m, const LabelSpace& space, double depth, 
 	for (const FoundTriangles& part : found) {
 		sheet.isEmpty = sheet.isEmpty && part.isEmpty;
 		sheet.besides.insert(sheet.besides.end(), part.besides.begin(), part.besides.end());
+		sheet.besideNoPoint.insert(sheet.besideNoPoint.end(), part.besideNoPoint.begin(), part.besideNoPoint.end());
 		for (const int face : part.straddling) {
 			StraddlingTriangle s;
 			s.face = face;
