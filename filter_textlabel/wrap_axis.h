@@ -7,6 +7,7 @@
 // ends have a small say, which decides where all middles are at one height, as on a nut or a cone of a single row of facets.
 // Source: H. Pottmann, T. Randrup, "Rotational and helical surface approximation for reverse engineering", Computing 60 (1998).
 
+#include "vcg_ext/collect_sheet.h"
 #include "vcg_ext/label_frame.h"
 #include "vcg_ext/surface_point.h"
 

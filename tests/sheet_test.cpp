@@ -1,6 +1,6 @@
 // The sheet: which triangles become candidates and how they hang together, against a look at every one of them.
 
-#include "vcg_ext/sheet.h"
+#include "vcg_ext/collect_sheet.h"
 
 #include <gtest/gtest.h>
 #include <random>

@@ -4,6 +4,7 @@
 // Source: Slabaugh et al., section 3.2. Lay the contours, cut every triangle that they touch, and find what lies wholly within the
 // letters.
 
+#include "parallel_chunks.h"
 #include "triangle_cutter.h"
 
 namespace vcg::textlabel {

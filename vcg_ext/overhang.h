@@ -7,6 +7,7 @@
 // the pass over the mesh has noted, or, where a triangle reaches further, in one more pass. It is made again only when other triangles
 // are cut; neither the height nor a shift by some steps changes what is near.
 
+#include "parallel_chunks.h"
 #include "patch_check.h"
 
 #include <functional>

@@ -2,11 +2,12 @@
 // TextLabel: cut a label into a triangle mesh, and raise it, sink it or leave it flat. The one header that a host includes.
 //
 // Source: G. Slabaugh, V. Mihalef, G. Unal, "A Contour-Based Approach to 3D Text Labeling on Triangulated Surfaces", 3DIM 2005.
-// The way of a label: contours in the label plane and a frame -> the candidates of the mesh (sheet.h) -> contours marched over them
+// The way of a label: contours in the label plane and a frame -> the candidates of the mesh (collect_sheet.h) -> contours marched over them
 // (edge_march.h) -> triangles cut by the contour walk (triangle_cutter.h, label_cut.h) -> what lies before and behind
 // (label_clearance.h) -> raised (label_raise.h) -> checked on rounded coordinates (patch_check.h) -> written (patch_commit.h).
 // Until the last step the mesh is only read.
 
+#include "collect_sheet.h"
 #include "contour_check.h"
 #include "label_plan.h"
 #include "patch_commit.h"

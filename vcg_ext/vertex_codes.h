@@ -1,5 +1,5 @@
 #pragma once
-// Where each vertex of the mesh lies against a label's box: the part of the linear pass that looks at vertices (sheet.h).
+// Where each vertex of the mesh lies against a label's box: the part of the linear pass that looks at vertices (collect_sheet.h).
 
 #include "label_frame.h"
 #include "parallel_chunks.h"
