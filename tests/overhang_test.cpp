@@ -184,6 +184,22 @@ TEST(Overhang, FacesAroundTheBoxAreAllNoted)
 	EXPECT_GT(overTheCut, 0);
 }
 
+// The triangles under a line of text may be larger than it is high; no pass over the whole mesh is due for them.
+TEST(Overhang, WhatReachesOutOfALongBoxIsWithinTheWiderOne)
+{
+	test_mesh::DoubleMesh m;
+	test_mesh::Fill(m, test_mesh::Slab(60, 40, 4, 12, 8));
+	PlaneBox box;
+	box.add({-10.5, -1});
+	box.add({10.5, 1});
+	const Sheet sheet = CollectSheet(m, LabelSpace(FromAbove()), box);
+	ASSERT_FALSE(sheet.triangles.empty());
+	PlaneBox reach;
+	for (const SheetVertex& v : sheet.vertices) reach.add(v.plane);
+	EXPECT_GT(reach.height(), 2 * box.height());
+	EXPECT_TRUE(sheet.around.holds(reach));
+}
+
 // Through the whole library: a lid that nearly lies on a coarse plate, beside the letters.
 TEST(Overhang, ALabelBesideALidIsSoundOrRefused)
 {

@@ -264,7 +264,7 @@ Sheet CollectSheet(const MeshType& m, const LabelSpace& space, const PlaneBox& b
 	Sheet sheet;
 	sheet.box = sheet.around = box;
 	sheet.around.grow(
-		std::min(triangles * space.scale() * detail::UsualEdge(m), ofBox * std::min(box.width(), box.height())));
+		std::min(triangles * space.scale() * detail::UsualEdge(m), ofBox * std::max(box.width(), box.height())));
 	if (space.wraps()) {  // what lies over the cut has no side
 		const PlaneBox way = space.unrolledBox(sheet.around);
 		if (!(way.low[0] > space.cutAt(-1) && way.high[0] < space.cutAt(1))) sheet.around = box;
