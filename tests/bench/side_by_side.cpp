@@ -1,13 +1,14 @@
 // Ours beside what a user would use instead: on the same part, with the same outline, in one run, in turn.
 //
-// usage: side_by_side [--sizes 10k,100k,1M,5M] [--runs 7] [--text TEXT]... [--style emboss|engrave] [--shuffled]
+// usage: side_by_side [--sizes 10k,100k,1M,5M] [--turns 7] [--text TEXT]... [--style emboss|engrave] [--shuffled]
 //                     [--peer-seconds 40] [--python PYTHON] [--folder FOLDER] [--output TABLE.md]
 //
 // Times are of the operation only, meshes in memory, medians: ours on MeshLab's mesh (float coordinates); the peers' boolean of
 // part and prism from arrays to arrays, which is what a program pays that has a mesh of its own, and the boolean alone on what the
 // peer calls a mesh. Not timed: making outline and prism, copying a mesh before a run, cropping and pasting back, judging. The
 // peers' prism has flat ends, one below the label's lowest point and one above its highest, as a slicer embosses; ours has a top
-// that follows the surface. Runs alternate, so that a noisy machine hits all alike; a peer that takes long is run less often
+// that follows the surface. All take turns, --turns of them, so that a noisy machine hits all alike; in a turn, what is short runs
+// again and again for 20 ms, so that it is not timed on the caches of another. A peer that takes long has fewer turns
 // (--peer-seconds for each row).
 //
 // Each result is judged in the same way: rounded to float32, equal points merged, then closed, manifold, oriented, no face without
@@ -31,7 +32,7 @@ namespace {
 struct Options {
 	std::vector<int> sizes = {10000, 100000, 1000000, 5000000};
 	std::vector<std::string> texts;
-	int runs = 7;
+	int turns = 7;
 	double peerSeconds = 40;
 	bool engrave = false, shuffled = false;
 	std::string python = "python3", folder = "/tmp", output;
@@ -42,11 +43,16 @@ struct Entrant {
 	std::function<double()> run;
 	Series* series;
 	double budget = std::numeric_limits<double>::infinity();  ///< seconds
+	int turns = 0;                                            ///< that it has had
 
-	bool isDone(int runs) const
+	bool isRefused() const { return !series->seconds.empty() && series->seconds.back() < 0; }
+	bool isDone(int most) const { return isRefused() || turns >= most || (turns > 0 && series->sum() >= budget); }
+	void takeTurn()
 	{
-		const bool refused = !series->seconds.empty() && series->seconds.back() < 0;
-		return refused || int(series->seconds.size()) >= runs || (!series->seconds.empty() && series->sum() >= budget);
+		constexpr double least = 0.02;  // seconds
+		for (double sum = 0; sum < least && !isRefused(); sum += series->seconds.back())
+			series->seconds.push_back(run());
+		++turns;
 	}
 };
 
@@ -122,19 +128,15 @@ private:
 		}
 	}
 
-	/// In turn; what is short runs a few times in a row, so that it is not timed on the caches of another.
 	void race()
 	{
-		constexpr int atOnce = 3;
-		constexpr double isShort = 0.05;  // seconds
 		for (bool any = true; any;) {
 			any = false;
-			for (Entrant& e : entrants_)
-				for (int i = 0; i < atOnce && !e.isDone(options_.runs); ++i) {
-					any = true;
-					e.series->seconds.push_back(e.run());
-					if (e.series->seconds.back() > isShort) break;
-				}
+			for (Entrant& e : entrants_) {
+				if (e.isDone(options_.turns)) continue;
+				any = true;
+				e.takeTurn();
+			}
 		}
 	}
 
@@ -157,7 +159,7 @@ bool Read(int count, char** words, Options& options)
 			options.sizes.clear();
 			std::istringstream in(value);
 			for (std::string size; std::getline(in, size, ',');) options.sizes.push_back(ToNumber(size));
-		} else if (name == "--runs") options.runs = std::atoi(value.c_str());
+		} else if (name == "--turns") options.turns = std::atoi(value.c_str());
 		else if (name == "--text") options.texts.push_back(value);
 		else if (name == "--style") options.engrave = value == "engrave";
 		else if (name == "--peer-seconds") options.peerSeconds = std::atof(value.c_str());
@@ -167,7 +169,7 @@ bool Read(int count, char** words, Options& options)
 		else return false;
 	}
 	if (options.texts.empty()) options.texts = {"A43", "SN-0123456789 gqy%&@"};
-	return options.runs > 0;
+	return options.turns > 0;
 }
 
 int Run(const Options& options)

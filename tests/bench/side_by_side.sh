@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Time ours beside CGAL's corefinement and Manifold, with all they need, and print the table of README.
 #
-# usage: tests/bench/side_by_side.sh [ARGUMENT OF side_by_side...]     for example: --sizes 10k,100k --runs 15
+# usage: tests/bench/side_by_side.sh [ARGUMENT OF side_by_side...]     for example: --sizes 10k,100k --turns 15
 #
 # The head of side_by_side.cpp says what is timed and lists the arguments. All four sizes take some minutes and 10 GB of memory.
 
