@@ -39,6 +39,26 @@ TEST(Plan, KeepsItsResolution)
 	}
 }
 
+// Facets some hundred steps of the coordinates wide, and letters whose contours turn within them: what is cut off must not be so low
+// that rounding turns it round.
+TEST(Plan, TakesRoundLettersOnFineFacetsAtOnce)
+{
+	const Point3d place(93, 20, -33);
+	const test_mesh::Shape shape =
+		test_mesh::Cylinder(0.7, 1.4, 1000, 1).moved([&](const Point3d& p) { return p + place; });
+	LabelFrame frame = FromAbove();
+	frame.origin = place;
+	LabelOptions options;
+	options.height = 0.01;
+	for (const double radius : {0.1, 0.2, 0.3, 0.4})
+		for (int k = 0; k < 10; ++k) {
+			const auto letter = RegularPolygon(0.013 * k - 0.05, 0.017 * k - 0.06, radius, 200 + 40 * k);
+			test_mesh::FloatMesh m;
+			test_mesh::Fill(m, shape);
+			EXPECT_EQ(LabelMesh(m, Letters({letter}), frame, options).attempts, 1) << radius << ' ' << k;
+		}
+}
+
 // Where coordinates are rounded to a grid that is far coarser than single precision, the label is right on both.
 TEST(Plan, IsSoundAsAFileOfFewDigitsHasIt)
 {

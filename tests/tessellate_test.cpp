@@ -45,10 +45,10 @@ double TwiceArea(const Region& r)
 	return sum;
 }
 
-std::vector<IndexTriangle> Triangulate(const Region& r, double slope = 0)
+std::vector<IndexTriangle> Triangulate(const Region& r, double slope = 0, double finest = 0)
 {
 	std::vector<IndexTriangle> triangles;
-	Tessellator().triangulate(r.points, r.inSpace(slope), r.rings, 0, r.rings.size(), triangles);
+	Tessellator(finest).triangulate(r.points, r.inSpace(slope), r.rings, 0, r.rings.size(), triangles);
 	return triangles;
 }
 
@@ -172,9 +172,33 @@ TEST(Tessellate, FlipsNeedlesAway)
 	for (int i = 0; i <= n; ++i) strip.emplace_back(i, 0);
 	for (int i = n; i >= 0; --i) strip.emplace_back(i, 1);
 	const Region r = Region().ring(strip);
-	double worst = 1;
-	for (const IndexTriangle& t : Triangulate(r)) worst = std::min(worst, Shape(r.inSpace(), t[0], t[1], t[2]));
-	EXPECT_GT(worst, 0.09) << "half a square has 0.25";
+	double worst = 2;
+	for (const IndexTriangle& t : Triangulate(r)) worst = std::min(worst, Quality(r.inSpace(), t, 0));
+	EXPECT_GT(worst, 1.09) << "half a square has 1.25";
+}
+
+// A contour that turns a little just before it leaves a long triangle: the corner there is a better-shaped ear than the needle to the
+// far end of the region, but one that rounding can turn round.
+TEST(Tessellate, LeavesNothingTooFine)
+{
+	constexpr double finest = 0.01;
+	for (const int farPoints : {1, 2, 6, 40}) {  // by a quad's diagonal, by ears, by GLU
+		std::vector<Point2d> ring = {{0, 0}, {2, 0}, {2.13, 0.003}};
+		const Point2d middle(-48, 36), outward(-0.8, 0.6), across(-0.6, -0.8);
+		for (int i = 1; i <= farPoints; ++i) {
+			const double turn = M_PI * i / (farPoints + 1);
+			ring.push_back(middle + outward * (4 * std::sin(turn)) - across * (4 * std::cos(turn)));
+		}
+		const Region r = Region().ring(ring);
+		const auto lowest = [&](const std::vector<IndexTriangle>& triangles) {
+			ExpectTriangulation(r, triangles);
+			double least = 1;
+			for (const IndexTriangle& t : triangles) least = std::min(least, Quality(r.inSpace(), t, finest));
+			return least;
+		};
+		if (farPoints <= 2) { EXPECT_LT(lowest(Triangulate(r)), 1) << farPoints; }
+		EXPECT_GE(lowest(Triangulate(r, 0, finest)), 1) << farPoints;
+	}
 }
 
 bool IsGood(const std::vector<Point2d>& ring)
@@ -209,13 +233,14 @@ TEST(Tessellate, SmallRingsByEars)
 	EXPECT_GT(made, 5000);
 }
 
-TEST(Shape, IsSquareOfHeightOverLongestEdge)
+TEST(Quality, IsSquareOfHeightOverLongestEdge)
 {
 	const std::vector<Point3d> q = {{0, 0, 0}, {1, 0, 0}, {0.5, std::sqrt(3.0) / 2, 0}, {0.25, 0, 0}};
-	EXPECT_NEAR(Shape(q, 0, 1, 2), 0.75, 1e-15);
-	EXPECT_NEAR(Shape(q, 2, 0, 1), 0.75, 1e-15);
-	EXPECT_EQ(Shape(q, 0, 1, 3), 0);
-	EXPECT_EQ(Shape(q, 1, 1, 1), 0);
+	EXPECT_NEAR(Quality(q, {0, 1, 2}, 0), 1.75, 1e-15);
+	EXPECT_NEAR(Quality(q, {2, 0, 1}, 0.5), 1.75, 1e-15);
+	EXPECT_EQ(Quality(q, {0, 1, 3}, 0.5), 0);
+	EXPECT_EQ(Quality(q, {1, 1, 1}, 0), 0);
+	EXPECT_NEAR(Quality(q, {0, 1, 2}, std::sqrt(3.0)), 0.25, 1e-15) << "half as high as the finest";
 }
 
 }  // namespace

@@ -90,7 +90,7 @@ inline void LabelCutter::cutTriangles()
 	};
 	std::vector<CutPieces> pieces(ChunkCount(cost * before.back()));
 	EachChunk(before.back(), pieces.size(), [&](size_t chunk, size_t first, size_t last) {
-		TriangleCutter(sheet_, paths_).cut(touched, triangleAt(first), triangleAt(last), pieces[chunk]);
+		TriangleCutter(sheet_, paths_, snap_).cut(touched, triangleAt(first), triangleAt(last), pieces[chunk]);
 	});
 	for (CutPieces& more : pieces) cut_.append(std::move(more));
 }

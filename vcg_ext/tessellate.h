@@ -5,7 +5,8 @@
 // two different points, a region crosses itself, and that is a conflict. Most regions are a few corners between two contour points,
 // for which GLU's preparations cost more than the work: from these, ears are cut (G. H. Meisters, "Polygons have ears", American
 // Mathematical Monthly 82, 1975), by exact signs. Both leave needles, also flat ones between points that lie on one straight edge,
-// so edges inside a region are then flipped until the worst triangle can't be made better. Region borders are never flipped.
+// so edges inside a region are then flipped until the worst triangle can't be made better. Region borders are never flipped. What is
+// lower than coordinates can tell is worse than any longer needle: it may turn round when it is rounded.
 
 #include "triangle_walk.h"
 
@@ -23,13 +24,29 @@ namespace vcg::textlabel {
 /// A triangle of a region: indices of points.
 using IndexTriangle = std::array<int, 3>;
 
+/// Quality of a triangle: 1 and the square of its height over its longest edge, 1.75 for an equilateral one; of one that is lower than
+/// `finest`, whatever its shape, the square of its height over that, below 1; 0 for one without area.
+/// @param[in] finest  units of `space`
+inline double Quality(const std::vector<vcg::Point3d>& space, const IndexTriangle& t, double finest)
+{
+	const vcg::Point3d &a = space[size_t(t[0])], &b = space[size_t(t[1])], &c = space[size_t(t[2])];
+	const vcg::Point3d ab = b - a, bc = c - b, ca = a - c;
+	const double longest = std::max({ab.SquaredNorm(), bc.SquaredNorm(), ca.SquaredNorm()}),
+				 area = (ab ^ ca).SquaredNorm();
+	if (!(area > 0)) return 0;
+	const double height = area / longest, least = finest * finest;  // squared, as all here
+	return height < least ? height / least : 1 + height / longest;
+}
+
 class Tessellator {
 public:
-	Tessellator();
+	/// @param[in] finest  units of `space` below: a triangle that is lower is worse than all that are not, as long as it may be: when
+	///                    its corners are rounded, it may turn round
+	explicit Tessellator(double finest = 0);
 
 	/// Triangulate one region.
 	/// @param[in] plane  points in the label plane: decides orientation
-	/// @param[in] space  the same points in space: decides shape, so that a steep triangle gets good triangles as well
+	/// @param[in] space  the same points in space: decides quality, so that a steep triangle gets good triangles as well
 	/// @param[in] rings, first, count  the region's rings: outer counter-clockwise, holes clockwise
 	/// @param[out] triangles  counter-clockwise, appended; #corners + 2 #holes - 2 of them
 	/// @throws WalkConflict when the region crosses itself or has fewer than three corners
@@ -39,7 +56,7 @@ public:
 private:
 	using GluPointer = std::unique_ptr<GLUtesselator, void (*)(GLUtesselator*)>;
 	static constexpr int mostEars = 24;  ///< corners of a ring that is not worth GLU's preparations
-	/// Of a shape, a square: far more than its rounding; less is not worth a flip.
+	/// Of a quality: far more than its rounding; less is not worth a flip.
 	static constexpr double gain = 1e-12;
 	void runGlu(const std::vector<vcg::Point2d>& plane, const PolylineSet& rings, int first, int count);
 	void improve(const std::vector<vcg::Point2d>& plane, const std::vector<vcg::Point3d>& space);
@@ -48,27 +65,23 @@ private:
 	bool clipEars(const std::vector<vcg::Point2d>& plane, const std::vector<vcg::Point3d>& space, const int* ring,
 	              int corners);
 	void pairEdges();
-	void measureShapes(const std::vector<vcg::Point2d>& plane, const std::vector<vcg::Point3d>& space);
+	double quality(const std::vector<vcg::Point3d>& space, int a, int b, int c) const
+	{
+		return Quality(space, {a, b, c}, finest_);
+	}
+	void measureQualities(const std::vector<vcg::Point2d>& plane, const std::vector<vcg::Point3d>& space);
 
+	const double finest_;
 	GluPointer glu_;
 	std::vector<std::array<double, 3>> coordinates_;
 	std::vector<int> corners_;
 	std::vector<IndexTriangle> triangles_;
-	std::vector<double> shape_;  ///< #triangles_, while they are improved; 0 where one is not counter-clockwise
-	std::vector<int> twin_;      ///< #triangles_*3: the half-edge on the other side, or -1
+	std::vector<double> quality_;  ///< #triangles_, while they are improved; 0 where one is not counter-clockwise
+	std::vector<int> twin_;        ///< #triangles_*3: the half-edge on the other side, or -1
 	std::vector<int> pending_;
 	std::vector<int> table_;  ///< scratch: half-edges by their corners
 	bool crossed_ = false;
 };
-
-/// Shape of a triangle: the square of its height over its longest edge, 0.75 for an equilateral one.
-inline double Shape(const std::vector<vcg::Point3d>& space, int a, int b, int c)
-{
-	const vcg::Point3d &pa = space[size_t(a)], &pb = space[size_t(b)], &pc = space[size_t(c)];
-	const vcg::Point3d ab = pb - pa, bc = pc - pb, ca = pa - pc;
-	const double longest = std::max({ab.SquaredNorm(), bc.SquaredNorm(), ca.SquaredNorm()});
-	return longest > 0 ? (ab ^ ca).SquaredNorm() / (longest * longest) : 0;
-}
 
 // ---------------------------------------------------------------------------------------------------------------------------
 
@@ -89,7 +102,7 @@ inline int FirstBit(std::uint32_t bits)
 
 }  // namespace detail
 
-inline Tessellator::Tessellator() : glu_(gluNewTess(), gluDeleteTess)
+inline Tessellator::Tessellator(double finest) : finest_(finest), glu_(gluNewTess(), gluDeleteTess)
 {
 	if (!glu_) throw std::bad_alloc();
 	using Callback = void (*)();
@@ -155,7 +168,7 @@ inline void Tessellator::triangulate(const std::vector<vcg::Point2d>& plane, con
 		for (size_t i = 0; i < corners_.size(); i += 3)
 			triangles_.push_back({corners_[i], corners_[i + 1], corners_[i + 2]});
 		pairEdges();
-		measureShapes(plane, space);
+		measureQualities(plane, space);
 	}
 	improve(plane, space);
 	triangles.insert(triangles.end(), triangles_.begin(), triangles_.end());
@@ -170,7 +183,7 @@ inline bool Tessellator::splitQuad(const std::vector<vcg::Point2d>& plane, const
 	const auto worse = [&](const IndexTriangle& s, const IndexTriangle& t) {
 		for (const IndexTriangle* x : {&s, &t})
 			if (Orient2d(plane[size_t((*x)[0])], plane[size_t((*x)[1])], plane[size_t((*x)[2])]) <= 0) return -1.0;
-		return std::min(Shape(space, s[0], s[1], s[2]), Shape(space, t[0], t[1], t[2]));
+		return std::min(quality(space, s[0], s[1], s[2]), quality(space, t[0], t[1], t[2]));
 	};
 	const IndexTriangle abc = {a, b, c}, acd = {a, c, d}, abd = {a, b, d}, bcd = {b, c, d};
 	const double ac = worse(abc, acd), bd = worse(abd, bcd);
@@ -181,10 +194,10 @@ inline bool Tessellator::splitQuad(const std::vector<vcg::Point2d>& plane, const
 	return true;
 }
 
-/// Cut ears off a small ring without holes, the best-shaped first; false when it can't be done, as with a ring that touches itself.
+/// Cut ears off a small ring without holes, the best first; false when it can't be done, as with a ring that touches itself.
 /// That all triangles are counter-clockwise is proof enough: their edges cancel but for the ring, so they cover each point as often
 /// as the ring winds round it. What lies within an ear is asked only to find a way that ends.
-/// @post  triangles_, shape_ and twin_ belong together
+/// @post  triangles_, quality_ and twin_ belong together
 inline bool Tessellator::clipEars(const std::vector<vcg::Point2d>& plane, const std::vector<vcg::Point3d>& space,
                                   const int* ring, int corners)
 {
@@ -192,7 +205,7 @@ inline bool Tessellator::clipEars(const std::vector<vcg::Point2d>& plane, const 
 	static_assert(mostEars <= 32);
 	struct Corner {
 		vcg::Point2d plane;
-		double shape;  // of the triangle with the corners beside it; 0 where it is not convex
+		double quality;  // of the triangle with the corners beside it; 0 where it is not convex
 		int point, before, after;
 		int outer;  // the half-edge of a cut ear that lies along the edge to the corner after it, or -1
 	};
@@ -212,12 +225,12 @@ inline bool Tessellator::clipEars(const std::vector<vcg::Point2d>& plane, const 
 	const auto lookAt = [&](int i) {
 		Corner& b = corner(i);
 		const Corner &a = corner(b.before), &c = corner(b.after);
-		b.shape = side(a, b, c) > 0 ? Shape(space, a.point, b.point, c.point) : 0;
-		convex = b.shape > 0 ? convex | Mask(1) << i : convex & ~(Mask(1) << i);
+		b.quality = side(a, b, c) > 0 ? quality(space, a.point, b.point, c.point) : 0;
+		convex = b.quality > 0 ? convex | Mask(1) << i : convex & ~(Mask(1) << i);
 	};
 	const auto isEar = [&](int i) {
 		const Corner &b = corner(i), &a = corner(b.before), &c = corner(b.after);
-		if (!(b.shape > 0)) return false;
+		if (!(b.quality > 0)) return false;
 		// of the corners within a triangle, the one furthest from the cut is not convex, so only those need a look
 		const Mask own = Mask(1) << i | Mask(1) << b.before | Mask(1) << b.after;
 		for (Mask rest = left & (~convex | repeated) & ~own; rest; rest &= rest - 1) {
@@ -233,7 +246,7 @@ inline bool Tessellator::clipEars(const std::vector<vcg::Point2d>& plane, const 
 	for (int i = 0; i < corners; ++i) lookAt(i);
 	for (int i = 0; i < corners; ++i) judge(i);
 	triangles_.clear();
-	shape_.clear();
+	quality_.clear();
 	twin_.clear();
 	const auto add = [&](int i, int beyond) {  // the triangle at a corner, and the half-edge across from it
 		const Corner &b = corner(i), &a = corner(b.before), &c = corner(b.after);
@@ -242,13 +255,13 @@ inline bool Tessellator::clipEars(const std::vector<vcg::Point2d>& plane, const 
 			twin_.push_back(outer);
 		}
 		triangles_.push_back({a.point, b.point, c.point});
-		shape_.push_back(b.shape);
+		quality_.push_back(b.quality);
 	};
 	for (int n = corners; n > 3; --n) {
 		if (!ears) return false;
 		int best = detail::FirstBit(ears);
 		for (Mask rest = ears & (ears - 1); rest; rest &= rest - 1)
-			if (corner(detail::FirstBit(rest)).shape > corner(best).shape) best = detail::FirstBit(rest);
+			if (corner(detail::FirstBit(rest)).quality > corner(best).quality) best = detail::FirstBit(rest);
 		add(best, -1);
 		const int a = corner(best).before, c = corner(best).after;
 		corner(a).after = c;
@@ -291,15 +304,16 @@ inline void Tessellator::pairEdges()
 	}
 }
 
-inline void Tessellator::measureShapes(const std::vector<vcg::Point2d>& plane, const std::vector<vcg::Point3d>& space)
+inline void Tessellator::measureQualities(const std::vector<vcg::Point2d>& plane,
+                                          const std::vector<vcg::Point3d>& space)
 {
-	shape_.clear();
+	quality_.clear();
 	for (const auto& [a, b, c] : triangles_)
-		shape_.push_back(Orient2d(plane[size_t(a)], plane[size_t(b)], plane[size_t(c)]) > 0 ? Shape(space, a, b, c)
-		                                                                                    : 0);
+		quality_.push_back(Orient2d(plane[size_t(a)], plane[size_t(b)], plane[size_t(c)]) > 0 ? quality(space, a, b, c)
+		                                                                                      : 0);
 }
 
-// Flip an edge when the worse of its two triangles gets better by it. The sorted list of shapes grows with each flip, so it ends.
+// Flip an edge when the worse of its two triangles gets better by it. The sorted list of qualities grows with each flip, so it ends.
 inline void Tessellator::improve(const std::vector<vcg::Point2d>& plane, const std::vector<vcg::Point3d>& space)
 {
 	const auto next = [](int h) { return h % 3 == 2 ? h - 2 : h + 1; };
@@ -322,11 +336,11 @@ inline void Tessellator::improve(const std::vector<vcg::Point2d>& plane, const s
 		//    a   b
 		//      d
 		const int a = corner(h), b = corner(g), c = corner(next(next(h))), d = corner(next(next(g)));
-		double &first = shape_[size_t(h / 3)], &second = shape_[size_t(g / 3)];
+		double &first = quality_[size_t(h / 3)], &second = quality_[size_t(g / 3)];
 		const double least = std::min(first, second) + gain;
-		const double one = Shape(space, d, b, c);
+		const double one = quality(space, d, b, c);
 		if (!(one > least)) continue;
-		const double two = Shape(space, c, a, d);
+		const double two = quality(space, c, a, d);
 		if (!(two > least) || !isCounterClockwise(d, b, c) || !isCounterClockwise(c, a, d)) continue;
 		first = one;
 		second = two;

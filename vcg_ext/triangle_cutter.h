@@ -30,7 +30,10 @@ struct CutPieces {
 /// Cuts triangles one by one; its memory serves for all.
 class TriangleCutter {
 public:
-	TriangleCutter(const Sheet& sheet, const LabelPaths& paths) : sheet_(sheet), paths_(paths) {}
+	/// @param snap  label units
+	TriangleCutter(const Sheet& sheet, const LabelPaths& paths, double snap)
+		: sheet_(sheet), paths_(paths), tessellator_(snap)
+	{}
 
 	/// Cut touched[first] .. touched[last - 1].
 	/// @param[in] touched  sheet triangles, ascending
