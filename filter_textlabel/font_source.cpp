@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <charconv>
 #include <filesystem>
-#include <fstream>
 #include "text_error.h"
+#include "text_file.h"
 
 namespace textlabel {
 namespace {
@@ -123,21 +123,10 @@ FontRequest ParseFontRequest(const std::string& text)
 
 std::shared_ptr<const std::string> ReadFontFile(const std::string& file)
 {
-	const auto fail = [&file](TextErrorCode code, const char* why) { return TextError(code, why).ofFont(file); };
-	const fs::path path = fs::u8path(file);
-	std::error_code error;
-	const fs::file_status status = fs::status(path, error);
-	if (!fs::exists(status)) throw fail(TextErrorCode::FontNotFound, "no such file");
-	if (fs::is_directory(status)) throw fail(TextErrorCode::NotAFont, "it is a folder");
-	if (!fs::is_regular_file(status)) throw fail(TextErrorCode::NotAFont, "it is not a regular file");
-	const std::uintmax_t size = fs::file_size(path, error);
-	if (error || size > kLargestFont) throw fail(TextErrorCode::NotAFont, "it is too large");
-	if (size == 0) throw fail(TextErrorCode::NotAFont, "the file is empty");
-	auto bytes = std::make_shared<std::string>(static_cast<std::size_t>(size), '\0');
-	std::ifstream stream(path, std::ios::binary);
-	if (!stream.read(bytes->data(), static_cast<std::streamsize>(size)))
-		throw fail(TextErrorCode::NotAFont, "it cannot be read");
-	return bytes;
+	FileBytes read = ReadWholeFile(file, kLargestFont);
+	if (!read.bytes)
+		throw TextError(read.exists ? TextErrorCode::NotAFont : TextErrorCode::FontNotFound, read.why).ofFont(file);
+	return std::move(read.bytes);
 }
 
 }  // namespace textlabel

@@ -75,6 +75,7 @@ std::string ReportJson(const LabelReport& r)
 	json.add("text", r.request.text)
 		.add("code", ChoiceNames(r.request.code)[size_t(r.request.code)])
 		.add("module", r.module)
+		.add("drawing", r.request.drawing)
 		.add("font", r.font)
 		.add("style", ChoiceNames(r.request.style)[size_t(r.request.style)]);
 	json.add("placement", ChoiceNames(r.request.placement)[size_t(r.request.placement)]);

@@ -273,6 +273,7 @@ TextOptions TextOptionsOf(const LabelRequest& request, double size)
 	options.features = request.features;
 	options.fallbackFonts = request.fallbackFonts;
 	options.code = request.code;
+	options.drawing = request.drawing;
 	options.size = size;
 	options.tolerance = request.tolerance == ChosenToFit ? 0 : request.tolerance;
 	options.align = request.align;

@@ -30,7 +30,7 @@ constexpr double ChosenToFit = -1;
 struct LabelRequest {
 	std::string text = "A43";    ///< UTF-8; a newline, or \n as two characters, breaks a line
 	std::string font;            ///< family, or font file; empty: the font inside the plugin
-	double size = ChosenToFit;   ///< capital height, or a code's height
+	double size = ChosenToFit;   ///< capital height, or the height of a code or a drawing
 	double depth = ChosenToFit;  ///< height of the relief, always positive
 	LabelStyle style = LabelStyle::Emboss;
 	PlacementKind placement = PlacementKind::Automatic;
@@ -46,6 +46,7 @@ struct LabelRequest {
 	ExtrudeDirection extrudeAlong = ExtrudeDirection::Viewpoint;
 	double tolerance = ChosenToFit;  ///< chord error of curves
 	CodeKind code = CodeKind::None;
+	std::string drawing;  ///< SVG file that is cut instead of the text; empty: none
 	Align align = Align::Center;
 	Anchor anchor = Anchor::Middle;
 	double fitWidth = 0;               ///< > 0: width of the text, the size follows
@@ -71,7 +72,7 @@ struct LabelRequest {
 };
 
 /// How a host's dialog should offer a parameter, beyond its type.
-enum class ParameterUse { Value, FontName, Place, Direction, JsonFile, ImageFile, VectorFile };
+enum class ParameterUse { Value, FontName, DrawingName, Place, Direction, JsonFile, ImageFile, VectorFile };
 
 /// A member of LabelRequest.
 using ParameterField = std::variant<std::string LabelRequest::*, double LabelRequest::*, bool LabelRequest::*,

@@ -219,11 +219,12 @@ void LabelJob<MeshType>::labelOnce(const LabelRequest& request, const Camera& vi
 	if (!OfferAttempts(request, view, probe(), text, accept)) refuse();
 }
 
-/// A depth that is left to us is a share of the size, or of a code's module, less where the part is thin.
+/// A depth that is left to us is a share of the size, half of it for a drawing, whose details are finer, or of a code's module, less where
+/// the part is thin.
 template <class MeshType>
 void LabelJob<MeshType>::tryAttempt(const LabelRequest& request, const Attempt& attempt, const TextOutline& outline)
 {
-	constexpr double sizeOverDepth = 10, moduleOverDepth = 2, ofWall = 0.4, ofRoom = 0.5;
+	constexpr double sizeOverDepth = 10, drawingOverDepth = 20, moduleOverDepth = 2, ofWall = 0.4, ofRoom = 0.5;
 	frame_ = attempt.frame;
 	frame_.toWorld = toWorld_;
 	size_ = attempt.size;
@@ -231,7 +232,8 @@ void LabelJob<MeshType>::tryAttempt(const LabelRequest& request, const Attempt& 
 	context_.isWrapped = frame_.wrapRadius != 0;
 	const bool choose = request.depth == ChosenToFit && request.style != LabelStyle::Flat;
 	if (!choose) return labelAtDepth(request, outline, request.depth);
-	double depth = outline.module > 0 ? outline.module / moduleOverDepth : size_ / sizeOverDepth;
+	const double ofSize = size_ / (request.drawing.empty() ? sizeOverDepth : drawingOverDepth);
+	double depth = outline.module > 0 ? outline.module / moduleOverDepth : ofSize;
 	if (request.style == LabelStyle::Engrave && attempt.wall > 0) depth = std::min(depth, attempt.wall * ofWall);
 	try {
 		labelAtDepth(request, outline, depth);

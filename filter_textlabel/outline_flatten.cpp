@@ -21,6 +21,9 @@ constexpr std::size_t kReach = 256;
 /// Halvings of the error when the chords of a stretch are evened out.
 constexpr int kEvenings = 8;
 
+/// Finest and coarsest chord error, times the size.
+constexpr double kFinestTolerance = 1e-6, kCoarsestTolerance = 0.25;
+
 /// Dense samples of a contour, and which of them must stay.
 struct Samples {
 	std::vector<Point2d> points;     ///< closed; the last is not the first
@@ -212,6 +215,31 @@ Ring Flatten(const CurveContour& contour, double tolerance)
 		if (ring.size() >= 3) return ring;
 	}
 	return samples.points;
+}
+
+Ring FlattenOpen(const CurveContour& curves, double tolerance)
+{
+	double total = 0;
+	for (const CurvePiece& piece : curves) total += ChordsNeeded(piece, tolerance);
+	if (!(total < static_cast<double>(kMostSamples)))
+		throw TextError(TextErrorCode::BadTolerance, "too fine for this outline")
+			.measured(tolerance, LeastTolerance(curves));
+	Ring line;
+	for (const CurvePiece& piece : curves) {
+		const int count = static_cast<int>(ChordsNeeded(piece, tolerance));
+		for (int i = 0; i < count; ++i) line.push_back(PointAt(piece, static_cast<double>(i) / count));
+	}
+	if (!curves.empty()) line.push_back(curves.back().end());
+	return line;
+}
+
+double CheckedTolerance(double asked, double size, double fineness)
+{
+	if (asked == 0) return size / fineness;
+	const double finest = kFinestTolerance * size, coarsest = kCoarsestTolerance * size;
+	if (asked < finest) throw TextError(TextErrorCode::BadTolerance).measured(asked, finest);
+	if (asked > coarsest) throw TextError(TextErrorCode::BadTolerance).measured(asked, coarsest);
+	return asked;
 }
 
 }  // namespace textlabel

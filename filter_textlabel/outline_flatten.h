@@ -22,4 +22,16 @@ constexpr std::size_t kMostSamples = 2000000;
 /// @throws TextError{BadTolerance} when more than kMostSamples are needed, TextError{Unsound} when the contour has too many pieces
 Ring Flatten(const CurveContour& contour, double tolerance);
 
+/// Flatten curves that need not be closed, simply: each by chords of its own.
+/// @return #P points from the start to the end
+/// @throws TextError{BadTolerance} when more than kMostSamples are needed
+Ring FlattenOpen(const CurveContour& curves, double tolerance);
+
+/// A tolerance that suits what is so large.
+/// @param[in] asked  0: one is chosen
+/// @param[in] size  height of capital letters, or of the whole
+/// @param[in] fineness  size over the one that is chosen
+/// @throws TextError{BadTolerance}
+double CheckedTolerance(double asked, double size, double fineness);
+
 }  // namespace textlabel

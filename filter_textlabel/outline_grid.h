@@ -4,6 +4,8 @@
 // Coordinates stay below 2^28, so that a cross product of two differences is exact in 64 bits.
 
 #include <clipper.hpp>
+#include <cmath>
+#include <vcg/space/point2.h>
 #include <vector>
 #include "outline_tree.h"
 
@@ -15,6 +17,22 @@ using ClipperLib::Path;
 using ClipperLib::Paths;
 
 constexpr cInt kGridReach = cInt(1) << 28;  ///< largest coordinate, either sign
+
+/// The grid: coordinate = integer * step, step a power of two, so that the way back is exact.
+struct Grid {
+	double step = 1;
+
+	/// The finest one that holds coordinates up to `reach`.
+	static Grid Holding(double reach)
+	{
+		return {std::exp2(std::ceil(std::log2(reach / static_cast<double>(kGridReach))))};
+	}
+	IntPoint operator()(const vcg::Point2d& p) const { return {std::llround(p[0] / step), std::llround(p[1] / step)}; }
+	vcg::Point2d back(const IntPoint& p) const
+	{
+		return {static_cast<double>(p.X) * step, static_cast<double>(p.Y) * step};
+	}
+};
 
 /// Twice the area of abc, exact; positive when counter-clockwise.
 inline cInt Cross(const IntPoint& a, const IntPoint& b, const IntPoint& c)

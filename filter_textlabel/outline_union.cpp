@@ -26,14 +26,22 @@ struct Clipped {
 	Paths rings;
 };
 
-Clipped Union(const Paths& rings)
+/// What to do with which rings.
+struct Work {
+	ClipperLib::ClipType kind = ClipperLib::ctUnion;
+	ClipperLib::PolyFillType rule = ClipperLib::pftNonZero;
+	Paths one, other;
+};
+
+Clipped Clip(const Work& work)
 {
 	ClipperLib::Clipper clipper;
 	clipper.StrictlySimple(true);
 	Clipped result;
 	// nothing but points and lines: nothing is left, which Clipper would call a failure
-	if (!clipper.AddPaths(rings, ClipperLib::ptSubject, true)) return {true, {}};
-	result.ok = clipper.Execute(ClipperLib::ctUnion, result.rings, ClipperLib::pftNonZero, ClipperLib::pftNonZero);
+	if (!clipper.AddPaths(work.one, ClipperLib::ptSubject, true)) return {true, {}};
+	clipper.AddPaths(work.other, ClipperLib::ptClip, true);
+	result.ok = clipper.Execute(work.kind, result.rings, work.rule, work.rule);
 	return result;
 }
 
@@ -66,19 +74,49 @@ Paths Moved(Paths rings, double trifle, unsigned seed)
 	return rings;
 }
 
-}  // namespace
-
-Paths CheckedUnion(const Paths& rings, double trifle)
+/// Done both ways, and with points moved, until two agree.
+Paths Checked(const Work& work, double trifle)
 {
 	for (int trial = 0; trial < kTrials; ++trial) {
-		const Paths tried = trial == 0 ? rings : Moved(rings, trifle, static_cast<unsigned>(trial));
-		Clipped one = Union(tried);
-		const Clipped other = Union(Transposed(tried));
-		const double slack = kRounding * (LengthOf(tried) + 1);
+		Work tried = work;
+		if (trial > 0) {
+			tried.one = Moved(std::move(tried.one), trifle, static_cast<unsigned>(trial));
+			tried.other = Moved(std::move(tried.other), trifle, static_cast<unsigned>(trial + kTrials));
+		}
+		Clipped one = Clip(tried);
+		const double slack = kRounding * (LengthOf(tried.one) + LengthOf(tried.other) + 1);
+		tried.one = Transposed(std::move(tried.one));
+		tried.other = Transposed(std::move(tried.other));
+		const Clipped other = Clip(tried);
 		if (one.ok && other.ok && std::abs(AreaOf(one.rings) - AreaOf(other.rings)) <= slack)
 			return std::move(one.rings);
 	}
 	throw TextError(TextErrorCode::Unsound, "Clipper fails");
+}
+
+}  // namespace
+
+void RequireFewCrossings(const Paths& rings)
+{
+	if (CountCrossings(rings, kMostCrossings) >= kMostCrossings)
+		throw TextError(TextErrorCode::Unsound, "it crosses itself too often");
+}
+
+Paths CheckedUnion(const Paths& rings, double trifle, FillRule rule)
+{
+	return Checked(
+		{ClipperLib::ctUnion, rule == FillRule::EvenOdd ? ClipperLib::pftEvenOdd : ClipperLib::pftNonZero, rings, {}},
+		trifle);
+}
+
+Paths CheckedIntersection(const Paths& one, const Paths& other, double trifle)
+{
+	return Checked({ClipperLib::ctIntersection, ClipperLib::pftNonZero, one, other}, trifle);
+}
+
+Paths CheckedDifference(const Paths& one, const Paths& other, double trifle)
+{
+	return Checked({ClipperLib::ctDifference, ClipperLib::pftNonZero, one, other}, trifle);
 }
 
 }  // namespace textlabel

@@ -20,21 +20,8 @@ constexpr double kTrace = 1.0 / 8;
 constexpr double kTrifle = 1.0 / 16;
 /// Rounds of bridging; a bridge may come close to something in its turn.
 constexpr int kRounds = 12;
-/// What crosses itself more often than this is rubbish, which would take forever to unite.
-constexpr std::size_t kMostCrossings = 100000;
 /// Longest miter of an emboldened corner, times the offset, as fonts and SVG have it.
 constexpr double kMiterLimit = 4;
-
-/// The grid: coordinate = integer * step, step a power of two, so that the way back is exact.
-struct Grid {
-	double step = 1;
-
-	IntPoint operator()(const vcg::Point2d& p) const { return {std::llround(p[0] / step), std::llround(p[1] / step)}; }
-	vcg::Point2d back(const IntPoint& p) const
-	{
-		return {static_cast<double>(p.X) * step, static_cast<double>(p.Y) * step};
-	}
-};
 
 Grid GridFor(const std::vector<LetterRings>& letters, const UniteOptions& options)
 {
@@ -45,8 +32,7 @@ Grid GridFor(const std::vector<LetterRings>& letters, const UniteOptions& option
 		}
 	}
 	reach += kMiterLimit * std::abs(options.embolden) + options.tolerance;
-	Grid grid;
-	grid.step = std::exp2(std::ceil(std::log2(reach / static_cast<double>(kGridReach))));
+	const Grid grid = Grid::Holding(reach);
 	const double least = kLeastFinest * grid.step / kFinest;
 	if (!(options.tolerance >= least))
 		throw TextError(TextErrorCode::BadTolerance, "the text is too large for it").measured(options.tolerance, least);
@@ -84,12 +70,6 @@ void DropCollinear(Path& ring)
 	}
 }
 
-void CheckCrossings(const Paths& rings)
-{
-	if (CountCrossings(rings, kMostCrossings) >= kMostCrossings)
-		throw TextError(TextErrorCode::Unsound, "letters cross themselves or each other too often");
-}
-
 /// Bridge what comes too close, until nothing does.
 /// @param[in] rings  united
 Paths Bridged(Paths rings, double finest)
@@ -115,7 +95,7 @@ Paths LetterShape(const LetterRings& letter, const UniteOptions& options, const 
 		for (const vcg::Point2d& p : ring) path.push_back(grid(p));
 		rings.push_back(std::move(path));
 	}
-	CheckCrossings(rings);
+	RequireFewCrossings(rings);
 	return CheckedUnion(rings, kTrifle * kFinest * options.tolerance / grid.step);
 }
 
@@ -177,7 +157,7 @@ Paths UnitedShapes(const std::vector<Paths>& shapes, const std::vector<std::size
 	Paths rings;
 	for (const std::size_t i : members) rings.insert(rings.end(), shapes[i].begin(), shapes[i].end());
 	if (members.size() == 1) return rings;
-	CheckCrossings(rings);
+	RequireFewCrossings(rings);
 	return CheckedUnion(rings, kTrifle * finest);
 }
 

@@ -61,7 +61,8 @@ const std::vector<Parameter>& ParameterTable()
 	     "inside this filter.",
 	     &R::font, Use::FontName},
 		{"size", "Size (capital height, mesh units)",
-	     "Height of a capital letter (of the symbol, for a code), in the units of the mesh, as its layer's matrix "
+	     "Height of a capital letter (of the whole, for a code or a drawing), in the units of the mesh, as its layer's "
+	     "matrix "
 	     "scales it. -1: chosen so that "
 	     "the text fits.",
 	     &R::size},
@@ -130,6 +131,13 @@ const std::vector<Parameter>& ParameterTable()
 	     "[01]09506000134352[21]0042. Leave a margin around it: four modules (the "
 	     "squares it is made of) for a QR Code, ten for Code 128, one or two for the others.",
 	     &R::code, Use::Value, advanced},
+		{"drawing", "Drawing (SVG file)",
+	     "Cut the drawing of this file instead of the text, as a logo. The size is then its height. All that it paints "
+	     "is "
+	     "ink, whatever the colour, but white, which takes away what is below it. Of what belongs to the text only the "
+	     "width "
+	     "to fit, the tolerance, alignment, Embolden and Mirrored count. Empty: none.",
+	     &R::drawing, Use::DrawingName, advanced},
 		{"align", "Align", "Which end of the lines of text comes to the place.", &R::align},
 		{"anchor", "Anchor", "Which height of the text comes to the place.", &R::anchor, Use::Value, advanced},
 		{"fit_width", "Width to fit (mesh units)",

@@ -246,7 +246,7 @@ using Accept = std::function<bool(const Attempt&)>;
 bool OfferAtPlace(const LabelRequest& request, double size, const Camera& camera, const PartProbe& part,
                   TextSetter& text, const Accept& accept)
 {
-	constexpr double largestLetters = 0.08, largestCode = 0.25;
+	constexpr double largestLetters = 0.08, largestWhole = 0.25;  // of a code or a drawing
 	LabelRequest unshifted = request;
 	if (request.isWrapped()) unshifted.offsetU = unshifted.offsetV = 0;
 	LabelFrame frame = request.placement == PlacementKind::PointAndDirection ? PlaceAtPoint(unshifted, part)
@@ -259,7 +259,8 @@ bool OfferAtPlace(const LabelRequest& request, double size, const Camera& camera
 	}
 	Rotate(frame, request.rotation);
 	if (size != ChosenToFit) return accept({frame, size, 0});
-	const double largest = request.code == CodeKind::None ? largestLetters : largestCode;
+	const bool isText = request.code == CodeKind::None && request.drawing.empty();
+	const double largest = isText ? largestLetters : largestWhole;
 	const std::vector<double> sizes = SizesToTry(ExtentOf(request, size, text), largest, frame, part.box);
 	if (sizes.empty()) throw RequestError(RequestProblem::NoPlace, "size").measured(size);
 	return std::any_of(sizes.begin(), sizes.end(), [&](double s) { return accept({frame, s, 0}); });

@@ -16,10 +16,10 @@ using RichFileToWrite = RichSaveFile;
 using RichPlace = RichPosition;
 using RichDirectionTo = RichDirection;
 #if MESHLAB_API == 2022
-using RichFont = RichOpenFile;
+using RichFileToRead = RichOpenFile;
 using RichFileToWrite = RichSaveFile;
 #else
-using RichFont = RichFileOpen;
+using RichFileToRead = RichFileOpen;
 using RichFileToWrite = RichFileSave;
 #endif
 #endif
@@ -44,7 +44,9 @@ OwnedParameter ParameterOf(const Parameter& p, const std::string& value)
 	const QString text = QString::fromStdString(value);
 	if (p.fileEnding()) return Make<RichFileToWrite>(p, text, QStringLiteral("*.") + p.fileEnding());
 #if MESHLAB_API != 2020  // there the file widget takes no typed text, so a family could not be given in it
-	if (p.use == ParameterUse::FontName) return Make<RichFont>(p, text, QStringList{"*.ttf", "*.otf", "*.ttc", "*.*"});
+	if (p.use == ParameterUse::FontName)
+		return Make<RichFileToRead>(p, text, QStringList{"*.ttf", "*.otf", "*.ttc", "*.*"});
+	if (p.use == ParameterUse::DrawingName) return Make<RichFileToRead>(p, text, QStringList{"*.svg"});
 #endif
 	return Make<RichString>(p, text);
 }

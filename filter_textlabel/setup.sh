@@ -28,7 +28,7 @@ debian_mirror() {
 
 build_packages=(g++ cmake ninja-build pkg-config xz-utils meshlab qtbase5-dev libqt5opengl5-dev libglew-dev
 	libglu1-mesa-dev libeigen3-dev libfreetype-dev libharfbuzz-dev libfribidi-dev libfontconfig-dev
-	libpolyclipping-dev libzint-dev libicu-dev)
+	libpolyclipping-dev libzint-dev libicu-dev libexpat1-dev)
 run_packages=(xvfb xauth)
 test_packages=(libgtest-dev libbenchmark-dev clang-format libcgal-dev admesh xdotool imagemagick libharfbuzz-bin
 	git python3-venv ca-certificates fonts-dejavu fonts-liberation fonts-inter-variable fonts-hosny-amiri fonts-noto-core

@@ -61,7 +61,11 @@ std::string Characters(const TextError& e)
 	});
 }
 
-std::string Letters(const TextError& e) { return Listed(e.letters, Quoted); }
+/// The letters that are wrong; of a drawing, which has none, the drawing.
+std::string Letters(const TextError& e) { return e.letters.empty() ? "the drawing" : Listed(e.letters, Quoted); }
+
+/// What there is a bolder one of.
+std::string Kind(const TextError& e) { return e.letters.empty() ? "drawing" : "font"; }
 
 std::string Font(const TextError& e) { return e.font.empty() ? "the built-in font" : "font " + Quoted(e.font); }
 
@@ -88,6 +92,25 @@ std::string TextSentence(const TextError& e)
 		       ": choose a font with outlines.";
 	case TextErrorCode::BadCode:
 		return "The text cannot be written as " + e.substitute + Because(e) + ": shorten it, or choose another code.";
+	default: return {};
+	}
+}
+
+std::string DrawingSentence(const TextError& e)
+{
+	const std::string drawing = e.drawing.empty() ? "drawing" : "drawing " + Quoted(e.drawing);
+	switch (e.code) {
+	case TextErrorCode::DrawingUnreadable:
+		return "Cannot read the " + drawing + Because(e) + ": give an SVG file that is whole.";
+	case TextErrorCode::DrawingUnsupported:
+		return "The " + drawing + " has " + e.detail + " on line " + Count(e.value) +
+		       ", which cannot be cut: turn it into plain filled paths in the program that drew it.";
+	case TextErrorCode::DrawingEmpty:
+		return "The " + drawing +
+		       " paints nothing that could be cut: give one with shapes that are filled or drawn as lines.";
+	case TextErrorCode::DrawingAndCode:
+		return "A drawing and a code are asked for at once: leave one of them away, and put it on as a label of its "
+		       "own.";
 	default: return {};
 	}
 }
@@ -170,14 +193,15 @@ std::string ResultSentence(const TextError& e)
 			       "a shorter text would do.";
 		return "The narrowest " + e.detail + " measures " + Number(e.value) + ", where " + Number(e.limit) +
 		       " is asked for (too narrow in " + Letters(e) + "): " + LargerText(e) + "a " +
-		       (e.detail == "gap" ? "lighter" : "bolder") + " font would do.";
+		       (e.detail == "gap" ? "lighter " : "bolder ") + Kind(e) + " would do.";
 	case TextErrorCode::LetterBroken:
-		return "Thinning takes " + Letters(e) + " apart: thin less (embolden), or choose a bolder font.";
+		return "Thinning takes " + Letters(e) + " apart: thin less (embolden), or choose a bolder " + Kind(e) + ".";
 	case TextErrorCode::LetterVanished:
 		return "Nothing is left of " + Letters(e) +
 		       " at this tolerance and weight: give a finer tolerance, or thin less.";
 	case TextErrorCode::Unsound:
-		return "The outline could not be made clean" + Because(e) + ": try another font, size or tolerance.";
+		return "The outline could not be made clean" + Because(e) + ": try another " +
+		       (e.drawing.empty() ? "font, size or tolerance." : "size or tolerance, or a simpler drawing.");
 	default: return {};
 	}
 }
@@ -186,7 +210,7 @@ std::string ResultSentence(const TextError& e)
 
 std::string Sentence(const TextError& error)
 {
-	for (const auto sentence : {TextSentence, FontSentence, OptionSentence, ResultSentence}) {
+	for (const auto sentence : {TextSentence, DrawingSentence, FontSentence, OptionSentence, ResultSentence}) {
 		std::string text = sentence(error);
 		if (!text.empty()) return text;
 	}

@@ -19,6 +19,11 @@ enum class TextErrorCode {
 	MissingGlyphs,  ///< `codePoints`: characters that `font` does not have
 	BadCode,        ///< the code `substitute` cannot hold the text; `detail` says why
 	NoOutlines,  ///< `codePoints`: characters that `font` has as pictures only, or empty (`codePoints` empty: all of them)
+	// the drawing
+	DrawingUnreadable,   ///< no such file, no SVG, or not as its grammar has it: `detail` says why
+	DrawingUnsupported,  ///< it holds `detail`, "text" or "a mask", on line `value`, which cannot be cut as it looks
+	DrawingEmpty,        ///< it paints nothing
+	DrawingAndCode,      ///< both were asked for
 	// the font
 	FontNotFound,     ///< no such file, or Fontconfig knows no font at all
 	FontSubstituted,  ///< no such family or style; `substitute` is what Fontconfig would take instead
@@ -46,22 +51,28 @@ enum class TextErrorCode {
 struct TextError : std::exception {
 	TextErrorCode code;
 	std::string font;                  ///< as asked for, or the file that was read; empty = the built-in font
+	std::string drawing;               ///< the drawing's file
 	std::string substitute;            ///< see the code
 	std::string detail;                ///< the piece of input, or what a library said
 	std::vector<char32_t> codePoints;  ///< each once, in order of appearance
-	std::vector<std::string> letters;  ///< UTF-8, each once
+	std::vector<std::string> letters;  ///< UTF-8, each once; of a code and a drawing none
 	std::size_t offset = 0;            ///< byte of the text
 	double value = 0, limit = 0;       ///< measured and allowed, see the code
 	double least = 0;                  ///< lowest allowed, of BadSpacing; `limit` is the highest
 	double size = 0;                   ///< capital height that would do, mesh units; infinite = none
 	double fitWidth = 0;               ///< width to fit that would do, where one was asked for; else 0
 	bool hasFallback = false;          ///< other installed fonts were searched too
-	bool isCode = false;               ///< what is too thin are the modules of a code, which has no letters
+	bool isCode = false;               ///< what is too thin are the modules of a code
 
 	explicit TextError(TextErrorCode c, std::string d = {}) : code(c), detail(std::move(d)) {}
 	TextError& ofFont(std::string f)
 	{
 		font = std::move(f);
+		return *this;
+	}
+	TextError& ofDrawing(std::string file)
+	{
+		drawing = std::move(file);
 		return *this;
 	}
 	TextError& insteadOf(std::string s)

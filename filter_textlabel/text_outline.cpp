@@ -5,6 +5,7 @@
 #include <limits>
 #include <map>
 #include "code_outline.h"
+#include "drawing_outline.h"
 #include "outline_flatten.h"
 #include "outline_measure.h"
 #include "outline_unite.h"
@@ -16,8 +17,8 @@ namespace textlabel {
 namespace {
 
 constexpr double kRadian = 3.14159265358979323846 / 180;
-/// Finest and coarsest chord error, times the capital height.
-constexpr double kFinestTolerance = 1e-6, kCoarsestTolerance = 0.25;
+/// A size that fits the width by this share needs no more fitting.
+constexpr double kFitted = 1e-6;
 constexpr double kMostSlant = 60;                                     ///< degrees
 constexpr double kMostLineSpacing = 100;                              ///< times the line height
 constexpr double kLeastLetterSpacing = -1, kMostLetterSpacing = 100;  ///< times the capital height
@@ -270,10 +271,10 @@ vcg::Box2d BoxOf(const vcg::textlabel::Outline& outline)
 
 void Measure(TextOutline& text, const TextOptions& options)
 {
-	const auto letterCount = static_cast<int>(text.letters.size());
+	const auto letterCount = static_cast<int>(text.letters.size());  // of a code and a drawing none: they are one piece
 	std::vector<LetterWidths> widths;
 	if (text.module > 0) widths = {{text.module + 2 * options.embolden, text.module - 2 * options.embolden}};
-	else widths = MeasureWidths(text.outline, letterCount, kMeasureReach * text.capitalHeight);
+	else widths = MeasureWidths(text.outline, std::max(letterCount, 1), kMeasureReach * text.capitalHeight);
 	const auto keepLess = [letterCount](Narrowest& least, double width, std::size_t letter) {
 		if (width > 0 && (least.width == 0 || width < least.width))
 			least = {width, letterCount > 0 ? static_cast<int>(letter) : -1};
@@ -297,16 +298,6 @@ void RequireNone(const std::vector<int>& letters, TextErrorCode code, const Text
 			error.letters.push_back(letter);
 	}
 	throw error;
-}
-
-double ToleranceFor(const TextOptions& options, double size)
-{
-	if (options.tolerance == 0) return size / kDefaultTolerance;
-	const double finest = kFinestTolerance * size, coarsest = kCoarsestTolerance * size;
-	if (options.tolerance < finest) throw TextError(TextErrorCode::BadTolerance).measured(options.tolerance, finest);
-	if (options.tolerance > coarsest)
-		throw TextError(TextErrorCode::BadTolerance).measured(options.tolerance, coarsest);
-	return options.tolerance;
 }
 
 /// A corner that is emboldened stands out by more than the distance: the anchor comes to the ink as it is.
@@ -333,7 +324,7 @@ SpoiltLetters SetAt(double size, const std::vector<ShapedLine>& lines, const Fon
                     const TextOptions& options, TextOutline& text)
 {
 	text.capitalHeight = size;
-	text.tolerance = ToleranceFor(options, size);
+	text.tolerance = CheckedTolerance(options.tolerance, size, kDefaultTolerance);
 	const LayoutOptions layout = LayoutOptionsFor(options, size, size / fonts.main().capitalHeight());
 	const Affine form = FormOf(layout);
 	const std::vector<PlacedGlyph> placed = Layout(lines, fonts, layout);
@@ -392,7 +383,7 @@ TextOutline SetInLetters(const std::string& utf8, const TextOptions& options)
 		for (int round = 0; round < rounds && !text.outline.contours.empty(); ++round) {
 			const double overhang = BoxOf(text.outline).DimX() - inkWidth * text.capitalHeight;
 			const double size = sizeWith(overhang);
-			if (std::abs(size - text.capitalHeight) <= kFinestTolerance * size) break;
+			if (std::abs(size - text.capitalHeight) <= kFitted * size) break;
 			spoilt = SetAt(size, lines, fonts, glyphs, options, text);
 		}
 		checkEmbolden();
@@ -405,7 +396,10 @@ TextOutline SetInLetters(const std::string& utf8, const TextOptions& options)
 
 TextOutline SetAndMeasure(const std::string& utf8, const TextOptions& options)
 {
-	TextOutline text = options.code == CodeKind::None ? SetInLetters(utf8, options) : SetAsCode(utf8, options);
+	const bool isDrawing = !options.drawing.empty(), isCode = options.code != CodeKind::None;
+	TextOutline text = isDrawing ? SetAsDrawing(options)
+	                   : isCode  ? SetAsCode(utf8, options)
+	                             : SetInLetters(utf8, options);
 	Measure(text, options);
 	return text;
 }

@@ -29,7 +29,10 @@ struct TextOptions {
 	/// In letters, or as a code; then font, language, features, spacing, slant, arc and tolerance play no part.
 	CodeKind code = CodeKind::None;
 
-	double size = 10;      ///< height of the capital letters, or of the code's symbol
+	/// An SVG file that is cut instead of the text; then of these only size, width, tolerance, alignment, embolden and mirrored count.
+	std::string drawing;
+
+	double size = 10;      ///< height of the capital letters, of the code's symbol or of the drawing
 	double fitWidth = 0;   ///< > 0: width of the ink; the size follows from it (on an arc: along the baseline)
 	double tolerance = 0;  ///< largest distance of a curve from its chords; 0 = size / kDefaultTolerance
 
@@ -63,7 +66,8 @@ struct TextOutline {
 	/// each contour starts at its leftmost, then lowest point; parts in reading order of their letters.
 	vcg::textlabel::Outline outline;
 	/// The clusters of the text that are shaped as one (a letter with its marks, a ligature, a blank), UTF-8, in the
-	/// order of the text; Contour::letter is an index into it. A code has none.
+	/// order of the text; Contour::letter is an index into it. A code and a
+	/// drawing have none.
 	std::vector<std::string> letters;
 	vcg::Point2d boxMin{0, 0}, boxMax{0, 0};
 	std::vector<std::string> fonts;  ///< those with ink in it, the main one first: "DejaVu Sans Bold (file, wght=650)"
@@ -73,7 +77,7 @@ struct TextOutline {
 	Narrowest thinnestStroke, narrowestGap;
 };
 
-/// Set a text.
+/// Set a text, or cut a drawing.
 /// @param[in] utf8  the text; a line break, or a backslash followed by n, breaks a line; a tab, or a backslash followed
 ///                  by t, goes to the next tab stop (8 blanks); a doubled backslash before n or t stands for itself
 /// @throws TextError

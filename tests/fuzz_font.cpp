@@ -8,8 +8,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <string>
-#include <sys/mman.h>
-#include <unistd.h>
+#include "memory_file.h"
 #include "text_outline.h"
 #include "text_support.h"
 
@@ -18,20 +17,6 @@ using namespace textlabel;
 namespace {
 
 const char* const kTexts[] = {"A43", "fi\\nÅ é 1/2", "سلام 12", "नमस्ते", "x\tA\u0301", "文字"};
-
-/// A file that lives in memory, under a name that any program can open.
-class MemoryFile {
-public:
-	MemoryFile(const void* bytes, std::size_t size) : m_file(memfd_create("font", 0))
-	{
-		if (m_file < 0 || write(m_file, bytes, size) != static_cast<ssize_t>(size)) std::abort();
-	}
-	~MemoryFile() { close(m_file); }
-	std::string path() const { return "/proc/self/fd/" + std::to_string(m_file); }
-
-private:
-	int m_file;
-};
 
 void Set(const std::string& text, const TextOptions& options)
 {
