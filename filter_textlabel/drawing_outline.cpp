@@ -14,11 +14,14 @@ namespace {
 
 using vcg::Point2d;
 
-/// Most corners of all shapes; the time grows faster than their number.
+/// Most corners of all shapes, and most samples of their curves; the time grows faster than the number of corners.
 constexpr std::size_t kMostCorners = 200000;
+constexpr double kMostSamplesOfAll = 500000;
 /// How far points may be moved where Clipper is in trouble, times the tolerance.
 constexpr double kTrifle = 1.0 / 128;
 constexpr double kMostEmbolden = 1;  ///< times the height
+/// Grid units in the tolerance, for rounding not to matter.
+constexpr double kLeastTolerance = 64;
 /// Times that a drawing is painted anew, as its ink turned out smaller than all that is painted.
 constexpr int kRounds = 4;
 
@@ -50,29 +53,32 @@ vcg::Box2d BoxOf(const std::vector<DrawnShape>& shapes)
 class Painter {
 public:
 	/// @param[in] tolerance  units of the page, > 0
+	/// @throws TextError{Unsound} when it is too fine for the grid
 	Painter(const Drawing& drawing, const vcg::Box2d& box, double tolerance)
 		: m_drawing(drawing), m_middle(box.Center()), m_tolerance(tolerance),
 		  m_grid(Grid::Holding(box.Diag() + tolerance)), m_trifle(kTrifle * tolerance / m_grid.step)
-	{}
+	{
+		if (!(tolerance >= kLeastTolerance * m_grid.step))
+			throw TextError(TextErrorCode::Unsound, "what is seen of it is too small a part of it");
+	}
 
 	/// The ink, in units of the page, y upwards, around the middle.
 	std::vector<Ring> ink()
 	{
 		const auto isWhite = [](const DrawnShape& shape) { return shape.isWhite; };
 		const bool isInverse = std::all_of(m_drawing.shapes.begin(), m_drawing.shapes.end(), isWhite);
-		Paths ink, more;  // more: inked, but not yet united with it
+		Paths ink;
+		std::vector<Paths> more;  // inked, but not yet united with it
 		const auto unite = [&] {
-			if (more.empty()) return;
-			more.insert(more.end(), ink.begin(), ink.end());
-			RequireFewCrossings(more);
-			ink = CheckedUnion(more, m_trifle);
+			more.push_back(std::move(ink));
+			ink = united(more, 0, more.size());
 			more.clear();
 		};
 		for (const DrawnShape& shape : m_drawing.shapes) {
 			if (shape.isWhite && !isInverse && more.empty() && ink.empty()) continue;
-			const Paths region = clipped(shape);
+			Paths region = clipped(shape);
 			if (!shape.isWhite || isInverse) {
-				more.insert(more.end(), region.begin(), region.end());
+				more.push_back(std::move(region));
 				continue;
 			}
 			unite();
@@ -88,6 +94,18 @@ public:
 	}
 
 private:
+	/// The union of regions[first] .. regions[last - 1], by halves: what is within a half, and crossed there, is gone when both are united.
+	Paths united(const std::vector<Paths>& regions, std::size_t first, std::size_t last) const
+	{
+		if (first == last) return {};
+		if (first + 1 == last) return regions[first];
+		const std::size_t middle = first + (last - first) / 2;
+		Paths both = united(regions, first, middle), other = united(regions, middle, last);
+		both.insert(both.end(), other.begin(), other.end());
+		RequireFewCrossings(both);
+		return CheckedUnion(both, m_trifle);
+	}
+
 	Paths clipped(const DrawnShape& shape)
 	{
 		Paths region = regionOf(shape);
@@ -103,13 +121,9 @@ private:
 	{
 		const auto [it, isNew] = m_windows.try_emplace(clip);
 		if (!isNew) return it->second;
-		Paths panes;
-		for (const DrawnShape& shape : m_drawing.clips[static_cast<std::size_t>(clip)]) {
-			const Paths pane = clipped(shape);
-			panes.insert(panes.end(), pane.begin(), pane.end());
-		}
-		RequireFewCrossings(panes);
-		return it->second = CheckedUnion(panes, m_trifle);
+		std::vector<Paths> panes;
+		for (const DrawnShape& shape : m_drawing.clips[static_cast<std::size_t>(clip)]) panes.push_back(clipped(shape));
+		return it->second = united(panes, 0, panes.size());
 	}
 
 	/// Most windows are a page, with all that is drawn in it.
@@ -156,13 +170,16 @@ private:
 
 	Point2d placed(const Point2d& onPage) const { return {onPage[0] - m_middle[0], m_middle[1] - onPage[1]}; }
 
-	std::vector<Ring> filled(const DrawnPath& path, const DrawnShape& shape) const
+	std::vector<Ring> filled(const DrawnPath& path, const DrawnShape& shape)
 	{
 		CurveContour contour = path.curves;
 		for (CurvePiece& piece : contour)
 			for (Point2d& p : piece.p) p = placed(shape.toPage(p));
 		if (contour.front().start() != contour.back().end())
 			contour.push_back(CurvePiece::Line(contour.back().end(), contour.front().start()));
+		m_samples += SamplesNeeded(contour, m_tolerance);
+		if (!(m_samples < kMostSamplesOfAll))
+			throw TextError(TextErrorCode::Unsound, "its curves are too long for so fine a tolerance");
 		Ring ring = Flatten(contour, m_tolerance);
 		return ring.empty() ? std::vector<Ring>{} : std::vector<Ring>{std::move(ring)};
 	}
@@ -186,6 +203,7 @@ private:
 	const Grid m_grid;
 	const double m_trifle;
 	std::size_t m_corners = 0;
+	double m_samples = 0;
 	std::map<int, Paths> m_windows;
 };
 

@@ -48,6 +48,7 @@ private:
 		DrawnStyle style;
 		Affine toPage;
 		std::vector<int> clips;
+		double opacity = 1;
 		int depth = 0;
 	};
 
@@ -156,16 +157,20 @@ private:
 		if (m_drawn > kMostDrawn || m_drawn * m_sheet.size() > kMostStyled)
 			throw TextError(TextErrorCode::DrawingUnreadable, "it draws too many elements");
 		if (around.depth == kMostDepth) unreadable(node, "an element uses itself");
-		Context own{around.style.inherited(), around.toPage, around.clips, around.depth + 1};
+		Context own{around.style.inherited(), around.toPage, around.clips, around.opacity, around.depth + 1};
 		m_sheet.apply(node, own.style);
-		if (!own.style.isDisplayed || own.style.isClear) return std::nullopt;
+		own.opacity *= own.style.opacity;
+		if (!own.style.isDisplayed || !(own.opacity > 0)) return std::nullopt;
 		if (!own.style.transform.empty() && own.style.transform != "none") {
 			const auto map = ParseTransform(own.style.transform);
 			if (!map) unreadable(node, "the transform cannot be read");
+			if (own.style.hasOrigin) unsupported(node, "a transform-origin");
 			own.toPage = own.toPage.after(*map);
 		}
 		if (!ReferenceOf(own.style.mask).empty()) unsupported(node, "a mask");
 		const std::string clip = ReferenceOf(own.style.clip);
+		if (clip.empty() && !own.style.clip.empty() && own.style.clip != "none")
+			unsupported(node, "a clip path that is no path");
 		if (const SvgNode* const path = clip.empty() ? nullptr : find(clip)) own.clips.push_back(addClip(*path, own));
 		return own;
 	}
@@ -174,7 +179,7 @@ private:
 	int addClip(const SvgNode& path, const Context& of)
 	{
 		if (path["clipPathUnits"] == "objectBoundingBox") unsupported(path, "a clip path in shares of what it clips");
-		Context context{{}, of.toPage, {}, of.depth + 1};
+		Context context{{}, of.toPage, {}, 1, of.depth + 1};
 		m_sheet.apply(path, context.style);
 		if (!ReferenceOf(context.style.clip).empty()) unsupported(path, "a clip path that is clipped");
 		if (const auto map = ParseTransform(context.style.transform)) context.toPage = context.toPage.after(*map);
@@ -315,15 +320,16 @@ private:
 		requireFinite(node, shape);
 		for (const DrawnPath& path : shape.paths) m_curves += path.curves.size();
 		if (m_curves > kMostCurves) throw TextError(TextErrorCode::DrawingUnreadable, "it draws too many curves");
-		const Paint fill = m_isClip ? Paint::Ink : style.isFillClear ? Paint::None : style.fill;
+		const Paint fill = m_isClip ? Paint::Ink : Seen(style.fill, context.opacity * style.fillOpacity);
 		if (fill != Paint::None) {
 			shape.rule = m_isClip ? style.clipRule : style.fillRule;
 			shape.isWhite = fill == Paint::White;
 			m_drawing.shapes.push_back(shape);
 		}
-		if (m_isClip || style.isStrokeClear || style.stroke == Paint::None) return;
+		const Paint stroke = m_isClip ? Paint::None : Seen(style.stroke, context.opacity * style.strokeOpacity);
+		if (stroke == Paint::None) return;
 		shape.isLine = true;
-		shape.isWhite = style.stroke == Paint::White;
+		shape.isWhite = stroke == Paint::White;
 		shape.line = style.line;
 		const auto width = ParseLength(style.lineWidth, diagonal());
 		if (!width) unreadable(node, "the stroke-width is no length");
@@ -336,6 +342,12 @@ private:
 			shape.toPage = Affine();
 		}
 		m_drawing.shapes.push_back(std::move(shape));
+	}
+
+	/// What is left of a paint that lets something through.
+	static Paint Seen(Paint paint, double opacity)
+	{
+		return !(opacity > 0) || (paint == Paint::White && opacity < kCovering) ? Paint::None : paint;
 	}
 
 	static void requireFinite(const SvgNode& node, const DrawnShape& shape)

@@ -2,8 +2,9 @@
 // From an SVG file to the shapes that it paints.
 //
 // Read are paths, basic shapes, groups, nested drawings, use, symbol, switch, clip paths and all that gives them a style
-// (drawing_style.h). What cannot be cut as it looks, text, pictures, masks, dashes and markers, is refused, never left out in silence.
-// What is not painted, or drawing programs keep for themselves, is passed over.
+// (drawing_style.h). What cannot be cut as it looks, text, pictures, masks, dashes and markers, is refused, not left out in silence; so is what
+// would be elsewhere without it, as the origin of a transformation. What is not painted, drawing programs keep for themselves, or has no
+// sharp border, as a shadow, is passed over.
 
 #include <string>
 #include "drawing_shape.h"

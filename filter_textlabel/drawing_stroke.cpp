@@ -45,8 +45,8 @@ private:
 	struct Piece {
 		Point2d a, b, along;  ///< along: unit
 		double length;
-		Point2d sideA, sideB;   ///< from the line's end to the corner on its left
-		bool goesOn = false;    ///< has its corners at b in common with the next one
+		Point2d sideA, sideB;  ///< from the line's end to the corner on its left
+		bool goesOn = false;   ///< has its corners at b in common with the next one
 	};
 
 	void follow(const Ring& points, bool isClosed)

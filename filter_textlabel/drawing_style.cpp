@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include "drawing_scan.h"
+#include "text_words.h"
 
 namespace textlabel {
 namespace {
@@ -11,30 +12,12 @@ constexpr double kRadian = 3.14159265358979323846 / 180;
 /// From this share on a colour is white.
 constexpr double kWhite = 0.98;
 
-std::string Trimmed(std::string text)
+/// The pieces between separators that are not empty.
+std::vector<std::string> Words(const std::string& text, const char* separators)
 {
-	const auto isInk = [](char c) { return !Scanner::IsBlank(c); };
-	text.erase(text.begin(), std::find_if(text.begin(), text.end(), isInk));
-	text.erase(std::find_if(text.rbegin(), text.rend(), isInk).base(), text.end());
-	return text;
-}
-
-std::string LowerCase(std::string text)
-{
-	for (char& c : text) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-	return text;
-}
-
-std::vector<std::string> Split(const std::string& text, const char* separators)
-{
-	std::vector<std::string> pieces;
-	for (std::size_t at = 0; at <= text.size();) {
-		const std::size_t end = std::min(text.find_first_of(separators, at), text.size());
-		std::string piece = Trimmed(text.substr(at, end - at));
-		if (!piece.empty()) pieces.push_back(std::move(piece));
-		at = end + 1;
-	}
-	return pieces;
+	std::vector<std::string> words = Split(text, separators);
+	words.erase(std::remove(words.begin(), words.end(), ""), words.end());
+	return words;
 }
 
 // ---- colours
@@ -49,7 +32,7 @@ Paint HexPaint(const std::string& digits)
 	for (std::size_t i = 0; i + each <= digits.size(); i += each) {
 		const int value = HexDigit(digits[i]) * (each == 1 ? 17 : 16) + (each == 2 ? HexDigit(digits[i + 1]) : 0);
 		const bool isAlpha = i / each == 3;
-		if (isAlpha && value == 0) return Paint::None;
+		if (isAlpha && value < (isWhite ? kCovering * 255 : 1)) return Paint::None;
 		isWhite = isWhite && (isAlpha || value >= kWhite * 255);
 	}
 	return isWhite ? Paint::White : Paint::Ink;
@@ -69,9 +52,9 @@ Paint FunctionPaint(const std::string& text)
 		shares.push_back(isPercent ? *number / 100 : isAlpha ? *number : *number / 255);
 		if (scanner.peek() == '/') scanner.take();
 	}
-	if (shares.size() == 4 && shares[3] <= 0) return Paint::None;
 	if (shares.size() < 3) return Paint::Ink;
 	const bool isWhite = isHsl ? shares[2] >= kWhite : std::min({shares[0], shares[1], shares[2]}) >= kWhite;
+	if (shares.size() == 4 && (shares[3] <= 0 || (isWhite && shares[3] < kCovering))) return Paint::None;
 	return isWhite ? Paint::White : Paint::Ink;
 }
 
@@ -89,10 +72,13 @@ Paint ParsePaint(const std::string& value, Paint inherited, Paint color)
 
 // ---- properties
 
-bool IsZero(const std::string& number)
+/// An opacity as a share.
+double ParseOpacity(const std::string& value, double otherwise)
 {
-	const auto value = Scanner(number).number();
-	return value && *value <= 0;
+	Scanner scanner(value);
+	const auto number = scanner.number();
+	if (!number) return otherwise;
+	return std::clamp(scanner.word() == "%" ? *number / 100 : *number, 0.0, 1.0);
 }
 
 FillRule ParseRule(const std::string& value, FillRule otherwise)
@@ -109,7 +95,8 @@ void SetLine(const std::string& property, const std::string& value, DrawnStyle& 
 	if (property == "stroke-miterlimit")
 		style.line.miterLimit = Scanner(value).number().value_or(style.line.miterLimit);
 	if (property == "stroke-width") style.lineWidth = value;
-	if (property == "stroke-dasharray") style.isDashed = value != "none" && value != "0";
+	if (property == "stroke-dasharray")  // zeros are no dashes
+		style.isDashed = value.find_first_of("123456789") != std::string::npos;
 }
 
 /// What is no property of ours, or "inherit", changes nothing.
@@ -119,18 +106,19 @@ void SetProperty(const std::string& property, const std::string& value, DrawnSty
 	if (property == "color") style.color = ParsePaint(value, style.color, style.color);
 	else if (property == "fill") style.fill = ParsePaint(value, style.fill, style.color);
 	else if (property == "stroke") style.stroke = ParsePaint(value, style.stroke, style.color);
-	else if (property == "fill-opacity") style.isFillClear = IsZero(value);
-	else if (property == "stroke-opacity") style.isStrokeClear = IsZero(value);
+	else if (property == "fill-opacity") style.fillOpacity = ParseOpacity(value, style.fillOpacity);
+	else if (property == "stroke-opacity") style.strokeOpacity = ParseOpacity(value, style.strokeOpacity);
 	else if (property == "fill-rule") style.fillRule = ParseRule(value, style.fillRule);
 	else if (property == "clip-rule") style.clipRule = ParseRule(value, style.clipRule);
 	else if (property == "visibility") style.isVisible = value == "inherit" ? style.isVisible : value == "visible";
 	else if (property == "display") style.isDisplayed = value != "none";
-	else if (property == "opacity") style.isClear = IsZero(value);
+	else if (property == "opacity") style.opacity = ParseOpacity(value, style.opacity);
 	else if (property == "vector-effect") style.keepsLineWidth = value == "non-scaling-stroke";
 	else if (property == "overflow") style.mayOverflow = value == "visible" || value == "auto";
 	else if (property == "clip-path") style.clip = value;
 	else if (property == "mask") style.mask = value;
 	else if (property == "transform") style.transform = value;
+	else if (property == "transform-origin") style.hasOrigin = value.find_first_of("123456789cbr") != std::string::npos;
 	else if (property.compare(0, 6, "marker") == 0) style.hasMarkers = value != "none" && value != "inherit";
 	else if (value != "inherit") SetLine(property, value, style);
 }
@@ -155,7 +143,8 @@ DrawnStyle DrawnStyle::inherited() const
 	DrawnStyle style = *this;
 	const DrawnStyle initial;
 	style.isDisplayed = initial.isDisplayed;
-	style.isClear = initial.isClear;
+	style.opacity = initial.opacity;
+	style.hasOrigin = initial.hasOrigin;
 	style.keepsLineWidth = initial.keepsLineWidth;
 	style.mayOverflow = initial.mayOverflow;
 	style.clip = style.mask = style.transform = "";
@@ -188,7 +177,7 @@ void StyleSheet::parse(const std::string& css)
 		head = Trimmed(head.substr(head.rfind(';') + 1));
 		if (head.empty() || head[0] != '@') {
 			const Declarations declarations = ParseDeclarations(css.substr(open + 1, close - open - 2));
-			for (const std::string& text : Split(head, ","))
+			for (const std::string& text : Words(head, ","))
 				if (auto selector = ParseSelector(text)) m_rules.push_back({std::move(*selector), declarations});
 		}
 		at = close;
@@ -198,7 +187,7 @@ void StyleSheet::parse(const std::string& css)
 StyleSheet::Declarations StyleSheet::ParseDeclarations(const std::string& text)
 {
 	Declarations declarations;
-	for (const std::string& piece : Split(text, ";")) {
+	for (const std::string& piece : Words(text, ";")) {
 		const std::size_t colon = piece.find(':');
 		if (colon == std::string::npos) continue;
 		std::string value = piece.substr(colon + 1);
@@ -248,7 +237,7 @@ void StyleSheet::apply(const SvgNode& node, DrawnStyle& style) const
 				if ((property == "color") == isColor) SetProperty(property, Trimmed(value), style);
 	};
 	setAll(node.attributes);
-	const std::vector<std::string> classes = Split(node["class"], " \t\r\n");
+	const std::vector<std::string> classes = Words(node["class"], kBlanks);
 	for (const Rule& rule : m_rules)
 		if (rule.selector.matches(node, classes)) setAll(rule.declarations);
 	setAll(ParseDeclarations(node["style"]));

@@ -13,13 +13,16 @@
 
 namespace textlabel {
 
+/// From this opacity on white covers what is below it; less of it is but a gleam.
+constexpr double kCovering = 0.5;
+
 enum class Paint { None, Ink, White };
 
 struct DrawnStyle {
 	// handed down to the elements within
 	Paint fill = Paint::Ink, stroke = Paint::None;
-	Paint color = Paint::Ink;                         ///< what currentColor means
-	bool isFillClear = false, isStrokeClear = false;  ///< opacity 0
+	Paint color = Paint::Ink;  ///< what currentColor means
+	double fillOpacity = 1, strokeOpacity = 1;
 	FillRule fillRule = FillRule::NonZero, clipRule = FillRule::NonZero;
 	LineStyle line;
 	std::string lineWidth = "1";  ///< as a length
@@ -27,10 +30,11 @@ struct DrawnStyle {
 	bool isDashed = false, hasMarkers = false;
 	// of one element
 	bool isDisplayed = true;
-	bool isClear = false;         ///< opacity 0
+	double opacity = 1;
 	bool keepsLineWidth = false;  ///< whatever the transformation
 	bool mayOverflow = false;     ///< of a drawing within the drawing: what is beside its rectangle is seen
 	std::string clip, mask, transform;
+	bool hasOrigin = false;  ///< the transformation is about another point than the origin
 
 	/// The style that an element within begins with.
 	DrawnStyle inherited() const;

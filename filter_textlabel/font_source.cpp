@@ -5,6 +5,7 @@
 #include <filesystem>
 #include "text_error.h"
 #include "text_file.h"
+#include "text_words.h"
 
 namespace textlabel {
 namespace {
@@ -15,23 +16,6 @@ bool Exists(const std::string& path)
 {
 	std::error_code ignored;
 	return fs::exists(fs::u8path(path), ignored);
-}
-
-std::string Trimmed(const std::string& s)
-{
-	const auto first = s.find_first_not_of(' '), last = s.find_last_not_of(' ');
-	return first == std::string::npos ? std::string() : s.substr(first, last - first + 1);
-}
-
-std::vector<std::string> Split(const std::string& text, const char* separators)
-{
-	std::vector<std::string> pieces;
-	for (std::size_t at = 0; at <= text.size();) {
-		const std::size_t end = std::min(text.find_first_of(separators, at), text.size());
-		pieces.push_back(Trimmed(text.substr(at, end - at)));
-		at = end + 1;
-	}
-	return pieces;
 }
 
 AxisSetting ParseAxis(const std::string& text)

@@ -9,6 +9,7 @@ here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 usage() {
 	cat <<'END'
 usage: label.sh [options] [--] INPUT OUTPUT TEXT
+       label.sh [options] --drawing FILE.svg [--] INPUT OUTPUT
        label.sh --parameters    list the filter's parameters, for --set
 
 INPUT           a mesh file: STL, PLY, OFF and what else MeshLab reads, but no OBJ, at which Debian's meshlabserver aborts
@@ -31,6 +32,7 @@ How:
   --font F              family ("DejaVu Sans:Bold"), font file, or either with axes ("Inter:wght=650")
   --code KIND           a code instead of letters, --size is its height: "data matrix", "gs1 data matrix", "qr code",
                         "micro qr code", "aztec code" or "code 128"
+  --drawing FILE.svg    a drawing instead of text, as a logo; --size is its height; TEXT is left out
   --tolerance T         largest distance between the font's curves and what is cut, mesh units
   --color RRGGBB        of the letters' faces, raised and sunk ones too
   --set NAME=VALUE      any parameter; position or camera say where, as above
@@ -90,7 +92,7 @@ while [ $# -gt 0 ]; do
 		;;
 	--) files+=("$@"); break ;;
 	--at | --direction | --up | --camera | --offset | --rotate | --style | --size | --depth | --along | --font | --tolerance | \
-		--code | --color | --set | --report | --picture | --outline)
+		--code | --drawing | --color | --set | --report | --picture | --outline)
 		[ $# -gt 0 ] || wrong "$option needs a value"
 		value=$1
 		shift
@@ -110,7 +112,7 @@ while [ $# -gt 0 ]; do
 		;;
 	--rotate) parameters+=("rotation=$value") ;;
 	--along) parameters+=("extrude_along=$value") ;;
-	--size | --depth | --tolerance | --font | --code | --color | --style | --report | --picture | --outline)
+	--size | --depth | --tolerance | --font | --code | --drawing | --color | --style | --report | --picture | --outline)
 		parameters+=("${option#--}=$value")
 		;;
 	--set)
@@ -119,10 +121,17 @@ while [ $# -gt 0 ]; do
 		;;
 	esac
 done
+drawing=
+for parameter in "${parameters[@]}"; do  # of several the last one counts, whichever option it came by
+	[[ $parameter != drawing=* ]] || drawing=${parameter#*=}
+done
+if [ -n "$drawing" ] && [ ${#files[@]} -eq 2 ]; then files+=(""); fi
 if [ ${#files[@]} -lt 3 ]; then
-	wrong "INPUT, OUTPUT and TEXT are needed; ${#files[@]} of the three are there"
+	wrong "INPUT, OUTPUT and TEXT, or --drawing instead of it, are needed; ${#files[@]} of the three are there"
 elif [ ${#files[@]} -gt 3 ]; then
 	wrong "INPUT, OUTPUT and TEXT are all that is needed, and '${files[3]}' is one more; write a text with blanks in quotes"
+elif [ -n "$drawing" ] && [ -n "${files[2]}" ]; then
+	wrong "a drawing is cut instead of TEXT, and both '$drawing' and '${files[2]}' are there; leave one of them out"
 fi
 input=${files[0]} output=${files[1]}
 if [ -e "$output" ] && [ ! -f "$output" ] && [ ! -d "$output" ]; then
@@ -145,7 +154,20 @@ parameters+=("text=${files[2]}")
 # What the parameters mean for files, whichever option they came by.
 declare -A streams=()  # parameter: the stream that gets a copy in the end, as the filter puts files in their places
 declare -A ending_of=([report]=json [picture]=png [outline]=svg)
-written=(${input:+"$(absolute "$input")"} ${output:+"$(absolute "$output")"})
+written=()
+# refuse_over WHAT FILE: when that is read as well, or written already.
+refuse_over() {
+	local other
+	for other in "${written[@]}"; do
+		[ "$(realpath -m -- "$2")" != "$(realpath -m -- "$other")" ] ||
+			refuse "The $1 would be written over '$other'. Give it a name of its own."
+	done
+}
+if [ -n "$drawing" ]; then
+	written+=("$(absolute "$drawing")")
+	[ -z "$output" ] || refuse_over output "$output"
+fi
+written+=(${input:+"$(absolute "$input")"} ${output:+"$(absolute "$output")"})
 for i in "${!parameters[@]}"; do
 	name=${parameters[i]%%=*} value=${parameters[i]#*=}
 	case $name in
@@ -158,14 +180,12 @@ for i in "${!parameters[@]}"; do
 		unset "streams[$name]"  # of two the last one counts
 		[ -n "$value" ] || continue
 		value=$(absolute "$value")
-		for other in "${written[@]}"; do
-			[ "$(realpath -m -- "$value")" != "$(realpath -m -- "$other")" ] ||
-				refuse "The $name would be written over '$other'. Give it a name of its own."
-		done
+		refuse_over "$name" "$value"
 		written+=("$value")
 		parameters[i]=$name=$value
 		;;
 	font) parameters[i]=$name=$(absolute_font "$value") ;;
+	drawing) parameters[i]=$name=${value:+"$(absolute "$value")"} ;;
 	esac
 done
 

@@ -72,7 +72,8 @@ void AddBeforeAfter(Object& object, const std::string& name, const MeshNumbers& 
 std::string ReportJson(const LabelReport& r)
 {
 	Object json;
-	json.add("text", r.request.text)
+	const bool isDrawing = !r.request.drawing.empty();  // then the text was not read
+	json.add("text", isDrawing ? "" : r.request.text)
 		.add("code", ChoiceNames(r.request.code)[size_t(r.request.code)])
 		.add("module", r.module)
 		.add("drawing", r.request.drawing)

@@ -1,8 +1,8 @@
 #include "label_request.h"
 #include "request_error.h"
+#include "text_words.h"
 
 #include <algorithm>
-#include <cctype>
 #include <charconv>
 #include <cmath>
 
@@ -18,22 +18,6 @@ bool ReadNumber(const std::string& text, double& value)
 	return error == std::errc() && end == last;
 }
 
-std::vector<std::string> Split(const std::string& text, char separator)
-{
-	std::vector<std::string> parts{""};
-	for (const char c : text) {
-		if (c == separator) parts.emplace_back();
-		else parts.back() += c;
-	}
-	return parts;
-}
-
-std::string Trimmed(const std::string& text)
-{
-	const size_t first = text.find_first_not_of(" \t"), last = text.find_last_not_of(" \t");
-	return first == std::string::npos ? std::string() : text.substr(first, last - first + 1);
-}
-
 /// The items between semicolons, blank ones left out; a backslash takes the meaning from the character behind it.
 std::vector<std::string> SplitItems(const std::string& text)
 {
@@ -47,12 +31,6 @@ std::vector<std::string> SplitItems(const std::string& text)
 		std::remove_if(items.begin(), items.end(), [](const std::string& item) { return Trimmed(item).empty(); }),
 		items.end());
 	return items;
-}
-
-std::string LowerCase(std::string text)
-{
-	for (char& c : text) c = char(std::tolower(static_cast<unsigned char>(c)));
-	return text;
 }
 
 // ---- text of a value, one overload for each type of member
@@ -113,7 +91,7 @@ bool Read(const std::string& text, bool& value)
 
 bool Read(const std::string& text, vcg::Point3d& value)
 {
-	const auto parts = Split(text, ',');
+	const auto parts = Split(text, ",");
 	if (parts.size() != 3) return false;
 	for (int i = 0; i < 3; ++i)
 		if (!ReadNumber(parts[size_t(i)], value[i])) return false;

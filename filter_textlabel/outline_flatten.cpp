@@ -88,9 +88,7 @@ bool IsFixedJoint(const CurvePiece& before, const CurvePiece& after, double tole
 Samples Sample(const CurveContour& contour, double tolerance)
 {
 	Samples result;
-	double total = 0;
-	for (const CurvePiece& piece : contour) total += ChordsNeeded(piece, kSampleShare * tolerance);
-	if (!(total < static_cast<double>(kMostSamples)))
+	if (!(SamplesNeeded(contour, tolerance) < static_cast<double>(kMostSamples)))
 		throw TextError(TextErrorCode::BadTolerance, "too fine for this outline")
 			.measured(tolerance, LeastTolerance(contour));
 	const CurvePiece* before = contour.empty() ? nullptr : &contour.back();
@@ -202,6 +200,13 @@ Ring Reduce(const Samples& samples, double error)
 }
 
 }  // namespace
+
+double SamplesNeeded(const CurveContour& contour, double tolerance)
+{
+	double total = 0;
+	for (const CurvePiece& piece : contour) total += ChordsNeeded(piece, kSampleShare * tolerance);
+	return total;
+}
 
 Ring Flatten(const CurveContour& contour, double tolerance)
 {

@@ -16,6 +16,9 @@ using Ring = std::vector<vcg::Point2d>;  ///< a closed polyline; the last point 
 /// Most samples that Flatten makes of one contour.
 constexpr std::size_t kMostSamples = 2000000;
 
+/// Samples that Flatten makes of a contour, which its time goes with.
+double SamplesNeeded(const CurveContour& contour, double tolerance);
+
 /// Flatten one closed contour.
 /// @param[in] tolerance  largest distance between curve and polyline, in the units of the points; > 0
 /// @return #P points of the curve, none repeated; empty when the contour has no area

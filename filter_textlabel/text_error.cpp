@@ -110,7 +110,7 @@ std::string DrawingSentence(const TextError& e)
 		       " paints nothing that could be cut: give one with shapes that are filled or drawn as lines.";
 	case TextErrorCode::DrawingAndCode:
 		return "A drawing and a code are asked for at once: leave one of them away, and put it on as a label of its "
-		       "own.";
+			   "own.";
 	default: return {};
 	}
 }

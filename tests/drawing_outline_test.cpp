@@ -101,14 +101,29 @@ TEST(DrawingOutline, KeepsToItsTolerance)
 	          TextErrorCode::BadTolerance);
 }
 
-/// The ink is a thousandth of what is painted: it gets its own tolerance all the same.
+/// The ink is a small part of what is painted: it gets its own tolerance all the same.
 TEST(DrawingOutline, IsAsFineWhereMostIsCutAway)
 {
-	const std::string document = Document("<clipPath id='c'><circle cx='500' cy='500' r='1'/></clipPath><rect "
+	const std::string document = Document("<clipPath id='c'><circle cx='500' cy='500' r='2'/></clipPath><rect "
 	                                      "width='1000' height='1000' clip-path='url(#c)'/>");
 	const TextOutline made = Made(document, [](TextOptions& o) { o.size = 20; });
 	EXPECT_NEAR(AreaOf(made), kPi * 100, 0.5);
 	for (const vcg::Point2d& p : made.outline.contours[0].points) EXPECT_NEAR(p.Norm(), 10, 2 * made.tolerance);
+}
+
+/// Rounding on the grid of all that is painted would be seen in so small a part of it.
+TEST(DrawingOutline, IsRefusedWhereNearlyAllIsCutAway)
+{
+	const auto seen = [](const std::string& far) {
+		return Document("<circle cx='5' cy='5' r='4'/><path d='M0 0H1L" + far + " 0z'/>", "viewBox='0 0 10 10'");
+	};
+	EXPECT_NEAR(AreaOf(Made(seen("5000"), [](TextOptions& o) { o.size = 8; })), kPi * 16, 0.05);
+	const TextError error = ErrorOf(seen("9e7"));
+	EXPECT_EQ(error.code, TextErrorCode::Unsound);
+	EXPECT_EQ(error.detail, "what is seen of it is too small a part of it");
+	const std::string curve = Document("<path d='M0 0C0 1 9e6 1 9e6 0C9e6 9 0 9 0 0'/><circle cx='-5' cy='5' r='4'/>",
+	                                   "viewBox='-10 0 10 10'");
+	EXPECT_EQ(ErrorOf(curve).code, TextErrorCode::Unsound);
 }
 
 TEST(DrawingOutline, PartsThatTouchBecomeOne)

@@ -17,6 +17,20 @@ refused 2 'two different places' --at 1,2,3 --camera above.xml box.off out.stl A
 refused 2 "'bold' of style" --style bold box.off out.stl A
 refused 2 "no parameter 'colour'" --set colour=red box.off out.stl A
 
+# A drawing is cut instead of the text, and nothing is written over it.
+refused 2 'INPUT, OUTPUT and TEXT, or --drawing.* 2 of the three' --drawing '' box.off out.stl
+refused 2 '2 of the three' --drawing logo.svg --set drawing= box.off out.stl
+refused 2 '1 of the three' --drawing logo.svg box.off
+refused 2 "instead of TEXT, and both 'logo.svg' and 'A'" --drawing logo.svg box.off out.stl A
+refused 2 "both 'logo.svg' and 'A'" --set drawing=logo.svg box.off out.stl A
+refused 2 "'43' is one more" --drawing logo.svg box.off out.stl A 43
+refused 1 'no\.svg.*no such file' --drawing no.svg box.off out.stl
+refused 1 'code' --drawing logo.svg --code 'qr code' box.off out.stl
+ln -s logo.svg drawn.svg
+refused 1 "outline would be written over '.*/drawn.svg'" --set drawing=drawn.svg --outline logo.svg box.off out.stl
+cp logo.svg logo.stl
+refused 1 "output would be written over '.*/logo.stl'" --drawing ./logo.stl box.off logo.stl
+
 refused 1 'wrapped needs a place' --wrap box.off out.stl A
 refused 1 'no axis that can be measured' --wrap --at 30,20,10 box.off out.stl A
 refused 1 'cannot be read' no.off out.stl A

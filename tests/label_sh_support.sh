@@ -120,6 +120,9 @@ printf 'ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty floa
 printf 'OFF\n0 0 0\n' >empty.off
 printf 'this is no mesh\n' >nonsense.stl
 printf 'this is no font\n' >nonsense.ttf
+# A drawing: a frame whose ink is (800 - 200) / 20^2 = 1.5 times its height squared.
+printf '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 40 20"><path fill-rule="evenodd" d="%s"/></svg>\n' \
+	'M0 0h40v20h-40z M10 5h20v10h-20z' >logo.svg
 
 # camera FILE X Y Z [TYPE]: a copied camera at (X, Y, Z) that looks down, as MeshLab writes it
 camera() {

@@ -58,6 +58,19 @@ works out.stl --set placement=automatic --set direction=0,0,1 box.off out.stl A4
 works out.stl --set placement=automatic --set position=1,2,3 box.off out.stl A43 && grep -q '"placement":"Automatic"' report.json ||
 	fail "a placement that is given counts"
 
+# A drawing in place of the text, which is left out or empty. Of two the last one counts, whichever option it came by.
+for how in '--drawing logo.svg' '--set drawing=./logo.svg' '--drawing none.svg --set drawing=logo.svg' '--set drawing=none.svg --drawing logo.svg'; do
+	# shellcheck disable=SC2086  # several arguments
+	if works out.stl --style engrave "${at[@]}" $how box.off out.stl; then
+		sound out.stl
+		about "$(number label_area)" 96 1e-6 || fail "$how: $(number label_area) of ink instead of 1.5 * 8^2"
+		about "$(sed -n 's/^volume=//p' judged)" $((24000 - 96 / 2)) 0.05 || fail "$how: volume $(sed -n 's/^volume=//p' judged) by admesh"
+	fi
+done
+works out.stl "${at[@]}" --drawing logo.svg --outline logo-flat.svg box.off out.stl '' && [ -s logo-flat.svg ] || fail "a drawing and an empty text"
+works out.stl "${at[@]}" box.off out.stl A43 && cp out.stl first.stl && works out.stl "${at[@]}" --drawing logo.svg --drawing '' box.off out.stl A43 &&
+	cmp -s first.stl out.stl || fail "an empty drawing is none"
+
 # Colours that few programs find in the file: it says so. What says a colour in --set counts as well.
 works out.stl --style flat box.off out.stl A43 && grep -q 'few programs' said || fail "a flat label in an STL file, and no word about it"
 works out.ply --set style=flat box.off out.ply A43 && [ ! -s said ] && head -c 400 out.ply | grep -qa 'property uchar red' ||

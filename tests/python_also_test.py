@@ -163,7 +163,7 @@ class Commands(InFolder):
             self.assertEqual(surface_faults(read_stl(self.folder / "out" / entry["file"])), [])
         self.assertIn("0 made at 0.0/s, 2 were there, 1 failed", self.run_it(*arguments, status=1))
         changed = [str(argument).replace("{text}/", "{text}-") for argument in arguments]
-        self.assertIn("was made from another part, font, text or settings", self.run_it(*changed, status=2))
+        self.assertIn("was made from another part, font, drawing, text or settings", self.run_it(*changed, status=2))
 
     def test_series_refused(self):
         start = ["serial", BRACKET, "--count", "2", "--output", "out"]

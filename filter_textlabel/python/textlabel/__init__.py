@@ -8,6 +8,7 @@
         part.label(f"A{number:04}", f"out/A{number:04}.stl")
 
     textlabel.label("bracket.stl", "A43", "labelled.stl", also=[{"text": "A43", "code": "data matrix"}])  # and more on it
+    textlabel.label("bracket.stl", None, "labelled.stl", drawing="logo.svg")  # a drawing instead of a text
 
 Every keyword is a parameter of the filter: textlabel.defaults() has all of them. Reports are dictionaries of plain
 values: triangles_added, label_area, volume_before, volume_after, anchor, normal, stretch, milliseconds and more; where

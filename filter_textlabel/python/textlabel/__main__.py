@@ -9,7 +9,7 @@ import sys
 
 from . import serial, tasks
 from .part import label
-from .plugin import LabelError, check_name, check_place, naming, parse_value
+from .plugin import LabelError, check_name, check_place, check_text, naming, parse_value
 from .tasks import UsageError
 from .template import Template, TemplateError
 
@@ -24,6 +24,7 @@ serial   One labelled file for each row of a table (CSV), or for each number, an
 --also   Another label on each part. What follows it, up to the next --also, says where and how it is:
 
            python -m textlabel label bracket.stl labelled.stl A43 --at 0,-20,8 --also "PN 4711" --code "data matrix"
+           python -m textlabel label bracket.stl labelled.stl A43 --at 0,-20,8 --also "" --drawing logo.svg
 
 exit     0 all labelled; 1 refused, or some rows failed; 2 wrong usage, nothing was started; 130 interrupted"""
 
@@ -35,14 +36,19 @@ it every PART is labelled), any parameter of the filter (size, depth, position, 
 its row), and others for the templates. Templates hold fields in braces: {part} (name of the mesh without ending), {n}
 (number of the row, as {n:04}), {text}, any column; braces themselves are {{ and }}. The texts of further labels (--also)
 are templates, and so are the values that options give, as --size {size}; one whose fields are all empty is left out. In
-names of files, a field's slashes become _.
+names of files that are written, a field's slashes become _. A further label may be a drawing: --also "" --drawing
+"logos/{customer}.svg".
 
 The folder gets the files, the materials and textures that belong to them, and manifest.jsonl, one JSON object for each
-file: file, text, sha256, the part, its sha256 and that of a font file, settings, further labels and report. Run the same
-command again after an interruption: what is there and whole is kept. Serials that stand twice are refused before anything
-starts; rows that fail do not stop the others and are listed at the end and in failed.csv."""
+file: file, text, sha256, the part, its sha256 and those of font files and drawings, settings, further labels and report.
+Run the same command again after an interruption: what is there and whole is kept. Serials that stand twice are refused
+before anything starts; rows that fail do not stop the others and are listed at the end and in failed.csv."""
 
 SHOWN = 20  # failed rows on the terminal
+NO_TEXT = (
+    "--also needs the text of the further label, or \"\" before the --drawing that is cut instead. "
+    "One that begins with -- is written --also=--text."
+)
 MOST_NUMBERS = 100_000  # in one run: its rows are checked before anything starts, which takes seconds
 
 # flag, parameter, help
@@ -57,6 +63,7 @@ FLAGS = [
     ("--along", "extrude_along", "viewpoint, label or surface"),
     ("--font", "font", "family or font file"),
     ("--code", "code", "a code instead of letters: data matrix, gs1 data matrix, qr code, micro qr code, aztec code, code 128"),
+    ("--drawing", "drawing", "FILE.svg: a drawing instead of text, as a logo; --size is its height; the text is left out"),
     ("--tolerance", "tolerance", "largest distance between the font's curves and what is cut, mesh units"),
     ("--color", "color", "RRGGBB, of the letters' faces"),
     ("--report", "report", "FILE.json: the report of the run"),
@@ -77,9 +84,8 @@ def _parser():
     one = commands.add_parser("label", help="label one part and print the report (JSON)", allow_abbrev=False)
     one.add_argument("input", help="mesh file")
     one.add_argument("output", help="mesh file to write")
-    one.add_argument("text", help="the text; \\n breaks a line")
-    _add_parameters(one)
-    _add_also(one)
+    one.add_argument("text", nargs="?", help="the text; \\n breaks a line; left out with --drawing")
+    _add_label(one)
     many = commands.add_parser(
         "serial",
         help="serial numbers on one or many parts",
@@ -103,8 +109,7 @@ def _parser():
     )
     many.add_argument("--overwrite", action="store_true", help="replace files that were made otherwise, or by others")
     many.add_argument("--quiet", action="store_true", help="no progress bar")
-    _add_parameters(many)
-    _add_also(many)
+    _add_label(many)
     return parser
 
 
@@ -120,8 +125,9 @@ def _add_parameters(parser):
     group.add_argument("--set", action="append", default=[], metavar="NAME=VALUE", help="any parameter of the filter")
 
 
-def _add_also(parser):
-    """For the help: _parse() takes further labels out before."""
+def _add_label(parser):
+    """For the help: _parse() takes all labels out before."""
+    _add_parameters(parser)
     parser.add_argument(
         "--also",
         metavar="TEXT",
@@ -132,16 +138,20 @@ def _add_also(parser):
 def _parse(arguments):
     """The command, and in its `also` the further labels: namespaces with a text and parameters."""
     own, *further = _split(_join_negative(arguments))
-    parser = argparse.ArgumentParser(prog="textlabel ... --also TEXT", add_help=False, allow_abbrev=False)
+    parser = argparse.ArgumentParser(prog="textlabel ...", add_help=False, allow_abbrev=False)
     _add_parameters(parser)
+    # The first label's options are taken out as well: argparse finds a text that may be missing in one piece with the files only.
+    first, own = parser.parse_known_args(own)
     also = []
     for text, *options in further:
         label, rest = parser.parse_known_args(options)
         label.text = text
+        if not text.strip() and not _drawing(label):
+            raise UsageError(NO_TEXT)
         also.append(label)
         own += rest  # options of the command may stand anywhere
     parsed = _parser().parse_args(own)
-    parsed.also = also
+    vars(parsed).update(vars(first), also=also)
     return parsed
 
 
@@ -154,12 +164,18 @@ def _split(arguments):
             parts[-1] += [word, *words]
         elif word == "--also" or word.startswith("--also="):
             text = word.removeprefix("--also=") if "=" in word else next(words, "")
-            if not text.strip() or ("=" not in word and text.startswith("--")):
-                raise UsageError("--also needs the text of the further label. One that begins with -- is written --also=--text.")
+            if "=" not in word and text.startswith("--"):
+                raise UsageError(NO_TEXT)
             parts.append([text])
         else:
             parts[-1].append(word)
     return parts
+
+
+def _drawing(arguments):
+    """The drawing that the options of a label give; empty: none."""
+    assignments = [assignment.partition("=") for assignment in arguments.set]
+    return [arguments.set_drawing or "", *(text for name, _, text in assignments if name == "drawing")][-1]
 
 
 def _settings(arguments, is_template):
@@ -202,7 +218,8 @@ def _of_each(arguments, work):
     made = []
     for number, each in enumerate(labels, 1):
         try:
-            with naming(number, len(labels), each.text):
+            with naming(number, len(labels), each.text, _drawing(each)):
+                check_text(each.text, _drawing(each))
                 made.append(work(each))
         except LabelError as error:
             raise UsageError(str(error)) from None
@@ -223,6 +240,8 @@ def _template(arguments):
 
 
 def _label(arguments):
+    if arguments.text is None and not _drawing(arguments):
+        raise UsageError("The text is missing. Write it behind the output, or give a drawing instead, by --drawing FILE.svg.")
     first, *also = _of_each(arguments, _values)
     print(json.dumps(label(arguments.input, first.pop("text"), arguments.output, also, **first), indent=1))
     return 0
@@ -233,6 +252,11 @@ def _serial(arguments):
         raise UsageError("--jobs and --count take numbers from 1.")
     if arguments.count is not None and arguments.count > MOST_NUMBERS:
         raise UsageError(f"--count {arguments.count}: at most {MOST_NUMBERS} in one run. Make the next ones by --first in another run.")
+    if _drawing(arguments):
+        raise UsageError(
+            f"--drawing {_drawing(arguments)}: a drawing holds no serial. "
+            "Put it on as a further label, --also \"\" --drawing FILE.svg, behind the options of the serial."
+        )
     name = arguments.name or ("{part}-{text}" if arguments.csv or arguments.text else "{text}")
     arguments.text = arguments.text or ("{text}" if arguments.csv else "{part}-{n:04}")
     plan = tasks.Plan(

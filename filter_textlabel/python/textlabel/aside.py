@@ -11,7 +11,7 @@ class Aside:
     """Folders for these files, each beside the place of its file. Use it in a with statement, which removes them."""
 
     def __init__(self, taken):
-        """taken: files that none of them may replace, as the output."""
+        """taken: files that none of them may replace, as the output and the drawings that are cut."""
         self._taken = {os.path.realpath(path) for path in taken}
         self._folders = contextlib.ExitStack()
         self._places = {}  # {path written: where it is to be}

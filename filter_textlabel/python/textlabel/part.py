@@ -11,14 +11,14 @@ import pymeshlab
 
 from . import files, formats
 from .aside import Aside
-from .plugin import FILTER, LabelError, check_path, check_values, load_plugin, naming, run_filter
+from .plugin import FILTER, LabelError, check_path, check_text, check_value, check_values, load_plugin, naming, run_filter
 
 NO_TEXTURE = "dummy.png"  # what MeshLab calls the picture in place of a texture that it cannot load
 WITH_TEXTURES_INSIDE = (".glb", ".gltf", ".3mf")  # endings: a file of a texture's name need not be that texture
 
 
 def label(mesh, text, output=None, also=(), **parameters):
-    """Label one part with a text, or with several.
+    """Label one part with a text, or with several. With a drawing, as drawing="logo.svg", the text is "" or None.
 
     mesh: a mesh file; or a pymeshlab.MeshSet, whose current mesh is labelled in place.
     output: the file to write; None for a MeshSet that is to be worked on further.
@@ -29,7 +29,7 @@ def label(mesh, text, output=None, also=(), **parameters):
     no file is written. Only where a report, picture, outline or the output of a MeshSet could not be written, which the text
     says, it is labelled.
     """
-    _check_also(also)
+    first, *_ = _labels(text, also, parameters)
     if isinstance(mesh, pymeshlab.MeshSet):
         if also:
             raise LabelError("A MeshSet takes one label at a time. Label it once for each text.")
@@ -38,7 +38,7 @@ def label(mesh, text, output=None, also=(), **parameters):
             formats.refuse_lossy(output)
             if formats.takes_textures(output):
                 _refuse_far_textures(mesh, "the mesh")
-        report = _apply(mesh, {**parameters, "text": text}, output)
+        report = _apply(mesh, first, output)
         if output is not None:
             formats.refuse_lost_precision(report, output)
             _save_in_place(mesh, output, report)
@@ -75,7 +75,8 @@ class Part:
 
     def label(self, text, output, also=(), **parameters):
         """Write the part with the text cut into it to the file output; see label()."""
-        _check_also(also)
+        labels = _labels(text, also, parameters)
+        drawings = [values["drawing"] for values in labels if values.get("drawing")]
         output = _resolved(output)
         formats.refuse_lossy(output)
         self._set.set_current_mesh(self._original)
@@ -85,8 +86,8 @@ class Part:
         untouched = self._textures_beside(output)
         run_filter(self._set, "generate_copy_of_current_mesh")
         try:
-            with Aside(taken=[self.path, output]) as aside:
-                reports = _apply_all(self._set, [{**parameters, "text": text}, *also], output, aside)
+            with Aside(taken=[self.path, output, *drawings]) as aside:
+                reports = _apply_all(self._set, labels, output, aside)
                 strictest = formats.strictest(reports)
                 formats.refuse_lost_precision(strictest, output)
                 _save(self._set, output, strictest, untouched)
@@ -174,18 +175,40 @@ def _color_faces(mesh_set):
         run_filter(mesh_set, "compute_color_by_function_per_face", r="255", g="255", b="255", a="255")
 
 
+def _labels(text, also, parameters):
+    """The parameters of all labels, the text among them. Raises LabelError when also holds no further labels."""
+    _check_also(also)
+    labels = [{**parameters, "text": text}, *also]
+    for number, values in enumerate(labels, 1):
+        text, drawing = values.get("text"), values.get("drawing")
+        if not drawing:
+            continue
+        with naming(number, len(labels), text, drawing):
+            check_text(text, drawing)
+            drawing = check_value("drawing", drawing)
+            check_path(drawing)
+        labels[number - 1] = {**values, "text": "", "drawing": drawing}
+    return labels
+
+
 def _check_also(also):
     """Raise LabelError when these are no further labels."""
     is_list = isinstance(also, (list, tuple)) and all(isinstance(values, dict) for values in also)
-    if not is_list or not all("text" in values and all(isinstance(name, str) for name in values) for values in also):
-        raise LabelError("Further labels are a list of dictionaries with a text each, as [{'text': '4711', 'size': 8}].")
+    if not is_list or not all(_is_label(values) for values in also):
+        raise LabelError(
+            "Further labels are a list of dictionaries with a text or a drawing each, as [{'text': '4711', 'size': 8}]."
+        )
+
+
+def _is_label(values):
+    return all(isinstance(name, str) for name in values) and ("text" in values or bool(values.get("drawing")))
 
 
 def _apply_all(mesh_set, labels, output, aside):
     """Cut labels into the current mesh, one after the other; their reports. Their files are put aside."""
     reports = []
     for number, values in enumerate(labels, 1):
-        with naming(number, len(labels), values["text"]):
+        with naming(number, len(labels), values["text"], values.get("drawing")):
             try:
                 reports.append(_apply(mesh_set, aside.put(values), output))
             except LabelError as error:

@@ -28,14 +28,17 @@ class LabelError(Exception):
 
 
 @contextlib.contextmanager
-def naming(number, count, text):
-    """Let a LabelError that comes up meanwhile say which of count labels it is about, where there are several."""
+def naming(number, count, text, drawing=None):
+    """Let a LabelError that comes up meanwhile say which of count labels it is about, where there are several.
+
+    A label is called by its text, or by its drawing where it has none.
+    """
     try:
         yield
     except LabelError as error:
         if count == 1:
             raise
-        raise LabelError(f"Label {number} ('{text}'): {error}") from error
+        raise LabelError(f"Label {number} ('{text or drawing or ''}'): {error}") from error
 
 
 def plugin_path():
@@ -179,6 +182,15 @@ def check_place(names):
         raise LabelError(
             "A direction alone says no place. Give a position as well, a point of the surface, "
             "or leave the direction away: the place is chosen then."
+        )
+
+
+def check_text(text, drawing):
+    """Raise LabelError for a text beside a drawing."""
+    if text and drawing:
+        raise LabelError(
+            f"A drawing is cut instead of a text, and both '{drawing}' and '{text}' are there. "
+            "Leave one of them away, and put it on as a label of its own."
         )
 
 

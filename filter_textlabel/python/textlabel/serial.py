@@ -42,9 +42,10 @@ def run(tasks, problems, folder, jobs, overwrite=False, quiet=False):
     outcome = Outcome(problems=list(problems))
     try:
         hashes = {part: sha256(part) for part in {task.part for task in tasks}}
-        names = {_font(label) for task in tasks for label in task.labels}
-        fonts = {font: sha256(file) for font in names if (file := font_file(font))}
-        entries = {task.file: _entry(task, hashes[task.part], fonts) for task in tasks}
+        labels = [label for task in tasks for label in task.labels]
+        fonts = {font: sha256(file) for font in {_font(label) for label in labels} if (file := font_file(font))}
+        drawings = {drawing: sha256(drawing) for drawing in {_drawing(label) for label in labels} if drawing}
+        entries = {task.file: _entry(task, hashes[task.part], fonts, drawings) for task in tasks}
         _refuse_used_serials(tasks, manifest)
         again, open_tasks = _sort_out(tasks, entries, manifest, overwrite)
         outcome.kept = len(tasks) - len(open_tasks)
@@ -72,9 +73,16 @@ def _font(label):
     return label["settings"].get("font", "")
 
 
-def _entry(task, part_hash, fonts):
-    """The manifest's line of a task, but for what the run finds out. fonts: hashes of the fonts that are files."""
+def _drawing(label):
+    return label["settings"].get("drawing", "")
+
+
+def _entry(task, part_hash, fonts, drawings):
+    """The manifest's line of a task, but for what the run finds out. fonts, drawings: hashes of those that are files."""
     first, *also = [{**label, "font_sha256": fonts.get(_font(label))} for label in task.labels]
+    for label in also:
+        if _drawing(label):  # others are as in older manifests, which know no drawings
+            label["drawing_sha256"] = drawings[_drawing(label)]
     entry = {"file": task.file, "part": task.part.name, "row": task.row, "part_sha256": part_hash, **first}
     return {**entry, "also": also} if also else entry
 
@@ -108,7 +116,7 @@ def _sort_out(tasks, entries, manifest, overwrite):
             continue
         foreign = before is None and (manifest.folder / task.file).exists()
         if (foreign or (before is not None and not same)) and not overwrite:
-            why = "is not in the manifest" if foreign else "was made from another part, font, text or settings"
+            why = "is not in the manifest" if foreign else "was made from another part, font, drawing, text or settings"
             raise UsageError(
                 f"The file '{task.file}' is in the folder and {why}. "
                 "Nothing was started; take another folder, or replace such files by --overwrite."

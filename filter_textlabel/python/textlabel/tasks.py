@@ -58,6 +58,11 @@ class Label:
     text: Template
     settings: dict  # {parameter: Template}
 
+    @property
+    def drawing(self):
+        """The template of the drawing that is cut instead of the text; empty: none."""
+        return self.settings["drawing"].text if "drawing" in self.settings else ""
+
 
 @dataclasses.dataclass
 class Plan:
@@ -152,6 +157,11 @@ def _check_fields(rows, plan):
     serial, *further = plan.labels
     if "text" in serial.text.fields and "text" not in columns:
         raise UsageError("The table has no column 'text': add one, or make the texts by --text TEMPLATE.")
+    if "drawing" in columns:  # it would count for the serial
+        raise UsageError(
+            "The table has a column 'drawing', but a drawing holds no serial. "
+            "Rename the column, as 'logo', and put the drawing on as a further label: --also \"\" --drawing {logo}."
+        )
     serial.text.check(columns | {"part"})
     others = [plan.name, *serial.settings.values()]
     for template in [*others, *(each for label in further for each in (label.text, *label.settings.values()))]:
@@ -160,7 +170,7 @@ def _check_fields(rows, plan):
         if "direction" not in label.settings:
             continue
         try:
-            with plugin.naming(number, len(plan.labels), label.text.text):
+            with plugin.naming(number, len(plan.labels), label.text.text, label.drawing):
                 plugin.check_place({*label.settings, *(columns if label is serial else ())})
         except plugin.LabelError as error:
             raise UsageError(str(error)) from None
@@ -188,14 +198,16 @@ def _task(row, part, values, plan):
         settings = _filled(label.settings, fields)
         if number == 1:
             settings.update({name: fields[name] for name in plugin.defaults() if name != "text" and fields.get(name)})
-        with plugin.naming(number, len(plan.labels), text):
+        with plugin.naming(number, len(plan.labels), text, settings.get("drawing")):
             _check(label, text, settings)
         labels.append({"text": text, "settings": settings})
     return Task(row, part, _file_name(part, fields, plan), labels)
 
 
 def _check(label, text, settings):
-    if not text.strip():
+    if label.drawing:
+        _check_drawing(label, settings.get("drawing"))
+    elif not text.strip():
         raise plugin.LabelError(f"The text is empty in this row. Fill in what it is made of: '{label.text.text}'.")
     plugin.check_value("text", text)
     for name, value in settings.items():
@@ -203,8 +215,15 @@ def _check(label, text, settings):
     plugin.check_place(settings)
 
 
+def _check_drawing(label, drawing):
+    if not drawing:
+        raise plugin.LabelError(f"No drawing is named in this row. Fill in what its name is made of: '{label.drawing}'.")
+    if not os.path.isfile(drawing):
+        raise plugin.LabelError(f"There is no drawing '{drawing}'. Check its name.")
+
+
 def _filled(settings, fields):
-    """The settings of a row, but for those made of empty fields only. What is put into a file's name has no slashes."""
+    """The settings of a row, but for those made of empty fields only. What is put into the name of a file to write has no slashes."""
     safe, filled = _safe(fields), {}
     for name, template in settings.items():
         if not template.fields or any(str(fields[field]).strip() for field in template.fields):
