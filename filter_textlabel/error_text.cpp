@@ -321,6 +321,9 @@ std::string ErrorText(const RequestError& error)
 	case RequestProblem::FileNotWritten:
 		return "The file '" + error.detail + "' (" + error.parameter +
 		       ") cannot be written. Choose a folder that exists, may be written to, and has room.";
+	case RequestProblem::OverDrawing:
+		return "The " + error.parameter + " would be written over the drawing '" + error.detail +
+		       "'. Give it a name of its own.";
 	default: return NumberSentence(error);
 	}
 }

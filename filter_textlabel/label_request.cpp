@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <filesystem>
 
 namespace textlabel {
 namespace {
@@ -151,6 +152,19 @@ void CheckRange(const char* name, double value, double low, double high)
 {
 	if (value < low) throw RequestError(RequestProblem::OutOfRange, name).measured(value, low);
 	if (value > high) throw RequestError(RequestProblem::OutOfRange, name).measured(value, high);
+}
+
+/// What a label writes must not replace the drawing that it was made of.
+void CheckDrawingStays(const LabelRequest& request)
+{
+	namespace fs = std::filesystem;
+	for (const Parameter& parameter : ParameterTable()) {
+		if (!parameter.fileEnding()) continue;
+		const std::string path = ValueText(parameter, request);
+		std::error_code ignored;  // of a file that is not there
+		if (!path.empty() && fs::equivalent(fs::u8path(path), fs::u8path(request.drawing), ignored))
+			throw RequestError(RequestProblem::OverDrawing, parameter.name, path);
+	}
 }
 
 /// Two significant digits, so that a dialog shows the number as it is.
@@ -307,6 +321,7 @@ void CheckRequest(const LabelRequest& request, const vcg::Box3d& box)
 	CheckRange("file_digits", request.fileDigits, -mostDigits, mostDigits);
 	if (request.fileDigits != std::trunc(request.fileDigits))
 		throw RequestError(RequestProblem::NotWhole, "file_digits").measured(request.fileDigits);
+	if (!request.drawing.empty()) CheckDrawingStays(request);
 }
 
 }  // namespace textlabel

@@ -34,6 +34,7 @@ enum class RequestProblem {
 	NoAxis,          ///< the surface bends round no axis at the place
 	NoPlace,         ///< Automatic found nothing; value: the size asked, or ChosenToFit
 	FileNotWritten,  ///< detail: the path
+	OverDrawing,     ///< a file to write is the drawing; detail: the path
 };
 
 /// A refusal that is not the library's; the mesh is as it was.
